@@ -25,7 +25,7 @@ folder = Path(sys.argv[1] if len(sys.argv) > 1 and not sys.argv[1].startswith("-
 
 # %%
 FRICTION = 0.3
-run = frostfill.fill("cube", count=300, until_full=True, rest="joint", friction=FRICTION, seed=1)
+run = frostfill.fill("cube", count=300, spheres_until_full=True, rest="joint", friction=FRICTION, seed=1)
 print(f"{len(run.centres)} spheres of radius {run.radii[0]:.4f}, filled {run.summary['outcome']}")
 
 # %% [markdown]

@@ -34,7 +34,7 @@ COUNT, RADIUS, HEIGHT, OPENING = 1500, 0.025, -0.3, 0.15
 
 def pour_here(seed):
     return frostfill.fill("cube", radius=RADIUS, count=COUNT, inlet=f"0,{HEIGHT},0,{OPENING}", motion="granular",
-                          rest="joint", friction=FRICTION, rolling_friction=ROLLING, seed=seed)
+                          rest="joint", friction=FRICTION, rest_rolling_friction=ROLLING, seed=seed)
 
 
 # %% [markdown]

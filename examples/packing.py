@@ -141,6 +141,6 @@ figure.savefig(folder / "python-error.png")
 
 # %%
 video = folder / "turntable.mp4" if shutil.which("ffmpeg") else None
-drawn = run.draw(folder / "turntable", video=video, frames="last", turntable=4, fps=12, size=(480, 360),
+drawn = run.draw(folder / "turntable", video=video, frames="last", turntable=4, frames_fps=12, size=(480, 360),
                  color_by="height", overwrite=True)
 print(f"{drawn} pictures" + (f" and {video}" if video else "; ffmpeg would make a video of them"))

@@ -43,7 +43,7 @@ corners = np.array([[x, y, z] for x in (0, WIDE) for y in (0, DEEP) for z in (0,
 faces = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
                   [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])
 run = frostfill.fill(vertices=corners, triangles=faces, sizes=folder / "sieve.csv", units="mm",
-                     until_full=True, motion="descend", seed=3)
+                     spheres_until_full=True, motion="descend", seed=3)
 print(f"{len(run.radii)} grains from {2 * run.radii.min():.3f} to {2 * run.radii.max():.3f} mm")
 
 # %% [markdown]

@@ -40,7 +40,7 @@ for k in range(SIDES):
     low, next_low = 2 + k, 2 + (k + 1) % SIDES
     high, next_high = low + SIDES, next_low + SIDES
     triangles += [[0, low, next_low], [1, next_high, high], [low, high, next_high], [low, next_high, next_low]]
-run = frostfill.fill(vertices=vertices, triangles=triangles, radius=radius, until_full=True,
+run = frostfill.fill(vertices=vertices, triangles=triangles, radius=radius, spheres_until_full=True,
                      motion="descend", rest="joint", friction=0.05, seed=4)
 print(f"{len(run.radii)} spheres")
 

@@ -84,7 +84,7 @@ function showCommand() {
   const { mesh } = scene.object;
   const also = /[./\\]/.test(mesh) ? ` The mesh is not in it: put ${mesh} where the scene looks for it.` : "";
   part("repeat-note").textContent = `The page holds the whole scene.${also} Save it, then run:`;
-  part("command").textContent = `frostfill fill --scene ${file} --out again --view`;
+  part("command").textContent = `frostfill fill ${file} --out again`;
   part("save-summary").textContent = `Save ${file}`;
   part("save-summary").addEventListener("click", () => {
     const link = document.createElement("a");

@@ -50,8 +50,8 @@ const std::array<Kind, kKinds>& kinds()
 PyObject* baseClass = nullptr;
 std::array<PyObject*, kKinds> classes{};
 
-/// Sentences name options as the command line does. Here they are keywords: "--until-full" becomes
-/// "until_full", but not in a command to type.
+/// Sentences name options as the command line does. Here they are keywords: "--color-by" becomes
+/// "color_by", but not in a command to type.
 std::string withKeywords(std::string_view text)
 {
     std::string result;

@@ -34,7 +34,10 @@ bool isParameter(const Option& option)
             names.push_back(keywordOf(*option));
         }
     }
-    const std::string nearest = nearestName(name, names);
+    std::string flag = "--" + name;
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    const std::string_view key = formerFlagKey(flag);
+    const std::string nearest = key.empty() ? nearestName(name, names) : keywordOf(optionOf(key));
     throw py::type_error(fmt::format("{}() has no keyword '{}'{}", call, name,
                                      nearest.empty()
                                          ? fmt::format("; help(frostfill.{}) lists them", call)
@@ -146,6 +149,7 @@ void GivenKeywords::apply(Scene& scene) const
     {
         applyOne(*option, scene);
     }
+    (void)impliesJointRest(values_, scene);
 }
 
 Scene GivenKeywords::sceneFor(const std::string& mesh) const

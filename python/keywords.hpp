@@ -12,8 +12,8 @@
 namespace frostfill::python
 {
 
-/// What an option is called as a keyword: "--until-full" is until_full, and the key colour.frozen,
-/// which has no flag, is colour_frozen.
+/// What an option is called as a keyword: "--color-by" is color_by, and the key motion.dt, which has
+/// no flag, is motion_dt.
 [[nodiscard]] std::string keywordOf(const Option& option);
 
 /// The values that a call gives by keyword, read while the interpreter is held and set while it

@@ -10,6 +10,7 @@ import sys
 sys.path.pop(0)  # this folder, where the package lies without what is compiled
 
 import frostfill  # noqa: E402
+from frostfill._keywords import _annotation  # noqa: E402
 
 HEAD = '''# SPDX-License-Identifier: MIT
 # Printed by python/make_stub.py from the module; a test compares. Do not edit.
@@ -17,7 +18,7 @@ import enum
 from collections.abc import Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, TypedDict, Unpack
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -58,16 +59,36 @@ def annotated(name, annotation):
     return name if annotation is inspect.Parameter.empty else f"{name}: {stub_type(str(annotation))}"
 
 
+# The classes of options by their use, each with those that it has besides its own.
+USES = {"loading": ("LoadOptions", []), "judging": ("JudgeOptions", ["loading"]),
+        "pictures": ("PictureOptions", []), "filling": ("FillOptions", ["judging", "pictures"])}
+
+
+def options_stub(use):
+    """A class with the options of a use, so that no function repeats them."""
+    name, others = USES[use]
+    known = {row["keyword"] for other in others for row in frostfill._frostfill.keywords(other)}
+    bases = ", ".join([USES[other][0] for other in others] or ["TypedDict"])
+    rows = [row for row in frostfill._frostfill.keywords(use) if row["keyword"] not in known]
+    fields = "".join(f"    {row['keyword']}: {stub_type(_annotation(row))}\n" for row in rows)
+    return f"class {name}({bases}, total=False):\n{fields}"
+
+
 def signature_of(function):
     if not inspect.isfunction(function):
         return of_pybind(function)
     signature = inspect.signature(function)
+    use = getattr(function, "use", None)
+    options = {row["keyword"] for row in frostfill._frostfill.keywords(use)} if use else set()
     parts = []
     for parameter in signature.parameters.values():
+        if parameter.name in options:
+            continue
         if parameter.kind is parameter.KEYWORD_ONLY and "*" not in parts:
             parts.append("*")
         default = "" if parameter.default is parameter.empty else " = ..."
         parts.append(annotated(parameter.name, parameter.annotation) + default)
+    parts += [f"**options: Unpack[{USES[use][0]}]"] if use else []
     result = signature.return_annotation
     returned = "None" if result is signature.empty else stub_type(str(result))
     if len(parts) > 6:
@@ -85,18 +106,8 @@ def property_type(value):
     return stub_type((getter.__doc__ or "").split("\n")[0].rpartition("-> ")[2]) or "Any"
 
 
-def help_of(value, indent):
-    text = inspect.cleandoc(value.__doc__ or "")
-    if text.startswith(getattr(value, "__name__", "\0") + "("):
-        text = text.partition("\n\n")[2].strip()
-    text = text.split("\n\nOptions, whose")[0].split("\n\n>>>")[0].strip()
-    text = text.replace("\\", "\\\\").replace("\n", "\n" + indent).replace(f"\n{indent}\n", "\n\n")
-    return f'{indent}"""{text}"""\n' if text else ""
-
-
 def function_stub(name, function, indent=""):
-    text = f"{indent}def {name}{signature_of(function)}:\n"
-    return text + (help_of(function, indent + "    ") or f"{indent}    ...\n")
+    return f"{indent}def {name}{signature_of(function)}: ...\n"
 
 
 MEMBERS = ("__init__", "__iter__", "__next__", "__len__", "__getitem__")
@@ -106,16 +117,16 @@ def class_stub(name, value):
     if issubclass(value, BaseException):
         bases = ", ".join(base.__name__ for base in value.__bases__)
         code = "" if value is frostfill.Error else "    code: int\n"
-        return f"class {name}({bases}):\n{help_of(value, '    ')}{code}"
+        return f"class {name}({bases}):\n{code or '    ...'}"
     if issubclass(value, int):
         body = "".join(f"    {m.name} = {m.value}\n" for m in value)
-        return f"class {name}(enum.IntEnum):\n{help_of(value, '    ')}{body}"
+        return f"class {name}(enum.IntEnum):\n{body}"
     if issubclass(value, tuple):
         body = "".join(f"    {f}: {stub_type(t if isinstance(t, str) else t.__forward_arg__)}\n"
                        for f, t in value.__annotations__.items())
-        return f"class {name}(NamedTuple):\n{help_of(value, '    ')}{body}"
+        return f"class {name}(NamedTuple):\n{body}"
     base = "(NDArray[numpy.uint8])" if name == "Picture" else ""
-    text = f"class {name}{base}:\n{help_of(value, '    ')}"
+    text = f"class {name}{base}:\n"
     members = {}
     for each in reversed(value.__mro__):
         if each.__module__.startswith("frostfill"):
@@ -125,12 +136,11 @@ def class_stub(name, value):
         if hidden or member in ("draw_frame", "draw_into", "export_into", "summary_text"):
             continue
         if isinstance(what, property):
-            text += f"    @property\n    def {member}(self) -> {property_type(what)}:\n"
-            text += help_of(what, "        ") or "        ...\n"
+            text += f"    @property\n    def {member}(self) -> {property_type(what)}: ...\n"
         elif member == "__init__" and not inspect.isfunction(what):
             continue
         elif member == "__iter__":
-            text += "    def __iter__(self) -> Iterator[Snapshot]:\n        ...\n"
+            text += "    def __iter__(self) -> Iterator[Snapshot]: ...\n"
         elif callable(what):
             text += function_stub(member, getattr(value, member), "    ")
     return text
@@ -138,6 +148,8 @@ def class_stub(name, value):
 
 def main():
     print(HEAD)
+    for use in USES:
+        print(options_stub(use))
     for name in frostfill.__all__:
         value = getattr(frostfill, name)
         if inspect.isclass(value):

@@ -177,16 +177,13 @@ py::tuple fillInto(const std::filesystem::path& directory, const py::object& mes
 
 /// Does what the command render does. Returns the number of pictures.
 std::size_t drawRun(const KeptRun& run, const py::object& directory, const py::object& video,
-                    bool contactSheet, const std::string& cameraPath, bool overwrite,
-                    const py::kwargs& keywords)
+                    bool overwrite, const py::kwargs& keywords)
 {
     const GivenKeywords given(keywords, OptionUse::pictures, "Run.draw");
     RenderRequest request;
     request.run = run.file();
     request.directory = pathOf(directory, "directory");
     request.video = video.is_none() ? "" : pathOf(video, "video");
-    request.contactSheet = contactSheet;
-    request.cameraPath = cameraPath;
     request.overwrite = overwrite;
     request.change = [&](Scene& scene)
     {
@@ -353,8 +350,7 @@ void addRun(py::module_& module)
         .def_property_readonly("summary_text",
                                [](const KeptRun& r) { return r.reader().summary(); })
         .def("draw_frame", &KeptRun::render, py::arg("frame"))
-        .def("draw_into", &drawRun, py::arg("directory"), py::arg("video"),
-             py::arg("contact_sheet"), py::arg("camera_path"), py::arg("overwrite"))
+        .def("draw_into", &drawRun, py::arg("directory"), py::arg("video"), py::arg("overwrite"))
         .def("export_into", &exportInto);
     module.def("fill_into", &fillInto);
 }

@@ -181,7 +181,9 @@ std::optional<OptionValue> valueOf(const Option& option, py::handle value)
     switch (option.type)
     {
     case OptionType::boolean:
-        return isBoolean(value) ? std::optional<OptionValue>(value.cast<bool>()) : std::nullopt;
+        return isText             ? readOptionText(option, value.cast<std::string>())
+               : isBoolean(value) ? std::optional<OptionValue>(value.cast<bool>())
+                                  : std::nullopt;
     case OptionType::integer:
         return isText ? readOptionText(option, value.cast<std::string>())
                       : asValue(wholeNumber(value));

@@ -29,10 +29,6 @@ struct FillRequest
     /// run in the directory it is begun.
     bool resume = false;
     std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
-    bool contactSheet = false;   ///< contact_sheet.png in the directory
-    /// Where the camera is when: keyframes "0:30,20 8:120,45" of seconds of video, azimuth and
-    /// elevation [degree] and, if wanted, zoom, or a file of such lines; empty for the scene's.
-    std::string cameraPath;
 };
 
 /// What is known before the first step.

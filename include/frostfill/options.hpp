@@ -43,13 +43,11 @@ struct OptionRange
 struct Option
 {
     std::string key = {};        ///< in scene files: "spheres.radius"
-    std::string flag = {};       ///< on the command line: "--radius"; empty for scene files only
-    std::string complement = {}; ///< a flag that takes 1 minus the number: "--porosity"
+    std::string flag = {};       ///< on the command line: "--radius"; empty for --set alone
     std::string group = {};      ///< heading in the help
     std::string help = {};       ///< one line, with the unit
     OptionType type = OptionType::text; ///< of the value, if there is one
     std::string nothing = {}; ///< the word for no value ("auto"); empty if a value is required
-    std::string implied = {}; ///< the value of a flag without one; empty if one is required
     std::string placeholder = "TEXT";      ///< of a text in the help
     std::string form = "text";             ///< description of a text: "a size such as 1280x720"
     std::vector<std::string> choices = {}; ///< of a text; empty: any text
@@ -95,8 +93,8 @@ enum class OptionUse : std::uint8_t
 /// "; did you mean 'grid'?", or nothing if the value is no text that resembles an allowed one.
 [[nodiscard]] std::string nearestAllowed(const Option& option, const OptionValue& value);
 
-/// The sentence with which a value is refused: "--threads is '-1', but it must be a whole number
-/// from 0 to 1024". `name` is what its user calls the option, `text` what was given.
+/// The sentence with which a value is refused: "threads is '-1', but it must be a whole number from
+/// 0 to 1024". `name` is what its user calls the option, `text` what was given.
 [[nodiscard]] std::string refusalText(const Option& option, std::string_view name,
                                       std::string_view text);
 
@@ -109,6 +107,18 @@ enum class OptionUse : std::uint8_t
 
 /// The value as written on the command line.
 [[nodiscard]] std::string optionText(const Option& option, const OptionValue& value);
+
+/// The sentence that refuses a flag or a keyword of earlier versions and names what replaces it:
+/// "--dt is a key of the scene: --set motion.dt=0.01". `value`: what was given for it; may be
+/// empty. Empty for a flag that never was.
+[[nodiscard]] std::string formerFlagText(std::string_view flag, std::string_view value);
+
+/// The key that replaces a flag of earlier versions, such as "motion.dt" for "--dt"; empty if none
+/// does.
+[[nodiscard]] std::string_view formerFlagKey(std::string_view flag);
+
+/// The key of the table that is nearest to a wrong one, as the end of a sentence; may be empty.
+[[nodiscard]] std::string didYouMeanKey(std::string_view key);
 
 /// The name with the smallest edit distance from `name`; the first of several. Empty if more than
 /// half of `name` would have to change, because that is no typing error.
@@ -141,6 +151,22 @@ void impliesUntilFull(const Given& given, Scene& scene)
     {
         scene.spheres.count.reset();
     }
+}
+
+/// Grains and a packing fraction imply that all spheres settle together, unless rest.mode is given.
+/// Returns the sentence that says so, or nothing.
+template <class Given>
+std::string impliesJointRest(const Given& given, Scene& scene)
+{
+    const bool isGranular = scene.motion.mode == Motion::granular;
+    if ((!isGranular && !scene.rest.fraction) || scene.rest.mode == Rest::joint ||
+        given.contains(&optionOf("rest.mode")))
+    {
+        return "";
+    }
+    scene.rest.mode = Rest::joint;
+    return isGranular ? "--motion granular implies --rest joint"
+                      : "--fraction implies --rest joint";
 }
 
 } // namespace frostfill

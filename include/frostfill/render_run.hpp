@@ -35,8 +35,6 @@ struct RenderRequest
     /// Check everything that can be checked, and count the pictures; write nothing.
     bool dryRun = false;
     std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
-    bool contactSheet = false;   ///< contact_sheet.png in the directory
-    std::string cameraPath;      ///< see FillRequest; empty for the run's
 };
 
 /// What the caller wants to hear. Every function may be empty.

@@ -191,10 +191,8 @@ struct FreezingSettings
     double restWindow = 1;       ///< [sqrt(r/g)] time over which the mean is taken
     double setTimeLimit = 60;    ///< [sqrt(r/g)] a set counts as at rest after this time plus
                                  ///< twice the time of a fall through the object
-    bool bySet = false; ///< preset fast: a set freezes as a whole once it is at rest, and then the
-                        ///< next appears; off: one by one. Not with Motion::descend
-    /// Preset fast, not with Motion::descend. If not given, bySet decides.
-    std::optional<FreezingRule> rule;
+    /// Preset fast, not with Motion::descend.
+    FreezingRule rule = FreezingRule::oneByOne;
 };
 
 /// What rest is, in the end. Friction acts while all settle together; the motions that fill the
@@ -272,6 +270,10 @@ struct FrameSettings
     Passes passes;
     std::optional<bool> keepRun; ///< in run.frost, every frame; if not given, when frames are drawn
     std::string selection = "all"; ///< "last", "0:100:10", "5,7,90..100", ...
+    bool contactSheet = false;     ///< also contact_sheet.png in the directory
+    /// Where the camera is when: keyframes "0:30,20 8:120,45" of seconds of video, azimuth and
+    /// elevation [degree] and, if wanted, zoom, or a file of such lines. Not with a turntable
+    std::optional<std::string> cameraPath;
 };
 
 /// Everything that describes a run: a plain value. Equal scenes give equal results.

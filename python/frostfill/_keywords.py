@@ -73,6 +73,7 @@ def takes_options(use):
             for row in rows
         ]
         function.__signature__ = signature.replace(parameters=own + options)
+        function.use = use  # for the stub
         if function.__doc__:
             function.__doc__ = (
                 inspect.cleandoc(function.__doc__)

@@ -29,7 +29,7 @@ class Run(_frostfill.KeptRun):
     they are read-only views without a copy. len(run) is the number of frames, and iterating over a
     run gives the state of each.
 
-    >>> run = fill("torus", count=30, duration=1, fps=10)
+    >>> run = fill("torus", count=30, duration=1, frames_fps=10)
     >>> [len(snapshot) for snapshot in run] == sorted(len(snapshot) for snapshot in run)
     True
     """
@@ -78,7 +78,7 @@ class Run(_frostfill.KeptRun):
     def render(self, frame: int | None = None, **options) -> Picture:
         """Draws the state of a frame, the last one by default. What is not given is as in the run.
 
-        >>> run = fill("torus", count=30, duration=1, fps=10)
+        >>> run = fill("torus", count=30, duration=1, frames_fps=10)
         >>> run.render(frame=0, size=(64, 48), style="studio").shape
         (48, 64, 3)
         """
@@ -90,17 +90,14 @@ class Run(_frostfill.KeptRun):
         directory: str | PathLike[str],
         *,
         video: str | PathLike[str] | None = None,
-        contact_sheet: bool = False,
-        camera_path: str = "",
         overwrite: bool = False,
         **options,
     ) -> int:
         """Draws frames into a folder, as `frostfill render` does, and returns their number.
 
-        video: a file .mp4, .webm or .gif, made with ffmpeg. camera_path: "0:30,20 8:120,45", or a
-        file of such lines.
+        video: a file .mp4, .webm or .gif, made with ffmpeg.
         """
-        return self.draw_into(directory, video, contact_sheet, camera_path, overwrite, **options)
+        return self.draw_into(directory, video, overwrite, **options)
 
     def save(self, directory: str | PathLike[str], *, overwrite: bool = False) -> Path:
         """Keeps the run's files in a folder, for frostfill.load and for the program.

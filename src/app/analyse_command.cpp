@@ -237,8 +237,7 @@ Command addAnalyseCommand(CLI::App& program)
     command->footer(std::string(kAnalyseExamples) + kPackingFiles);
     command->add_option("FILE", arguments->file, "The packing")->required();
     addPackingMeshOption(*command, arguments->mesh);
-    addUpOption(*command, arguments->given);
-    addLoadOptions(*command, arguments->given);
+    addSceneOptions(*command, arguments->given);
     addPackingOptions(*command, arguments->packing);
     addSettings(*command, *arguments);
     command

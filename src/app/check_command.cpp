@@ -30,7 +30,7 @@ constexpr const char* kCheckExamples = R"(Examples:
   frostfill check packing.csv --mesh part.stl --up z --max-overlap 0.01
   frostfill check dump.lammpstrj --mesh box.stl --json
   frostfill check beads.csv --columns x=px,y=py,z=pz,diameter=size --mesh tube.stl
-  frostfill check output/torus --judge-friction 0.3           does it stand as a whole?
+  frostfill check output/torus --set judge.friction=0.3       does it stand as a whole?
 )";
 
 struct CheckArguments
@@ -136,8 +136,8 @@ int check(const CheckArguments& arguments)
     if (asks && !scene.judge.friction)
     {
         throw Error(ErrorCode::usage,
-                    "--max-unbalanced and --judge-unbalance need a friction under "
-                    "which spheres are balanced: give --judge-friction");
+                    "--max-unbalanced and judge.unbalance need a friction under which "
+                    "spheres are balanced: give --set judge.friction=...");
     }
     const TriangleMesh mesh = meshOf(packing, arguments.file, arguments.mesh, scene.object.load);
     const QualityReport quality = judgePacking(mesh, packing, scene.object.up, scene.judge);
@@ -170,7 +170,7 @@ Command addCheckCommand(CLI::App& program)
     command->add_option("FILE", arguments->file, "The packing")->required();
     addPackingMeshOption(*command, arguments->mesh);
     addPackingOptions(*command, arguments->packing);
-    addCheckOptions(*command, arguments->given);
+    addSceneOptions(*command, arguments->given);
     const auto limit = [&](const char* flag, auto& value, const char* help, const char* type)
     { command->add_option(flag, value, help)->check(CLI::NonNegativeNumber)->type_name(type); };
     limit("--max-overlap", arguments->mostOverlap,
@@ -182,7 +182,7 @@ Command addCheckCommand(CLI::App& program)
     limit("--max-unsupported", arguments->mostUnsupported,
           "Exit with 2 if more spheres at rest have no support", "N");
     limit("--max-unbalanced", arguments->mostUnbalanced,
-          "Exit with 2 if more spheres are unbalanced; needs --judge-friction", "N");
+          "Exit with 2 if more spheres are unbalanced; needs judge.friction", "N");
     command->add_flag("--json", arguments->json, "Print JSON");
     return [arguments] { return check(*arguments); };
 }

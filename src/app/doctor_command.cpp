@@ -73,9 +73,9 @@ void printPrograms()
 void printVerdict(std::span<const BackendAttempt> attempts)
 {
     fmt::print(
-        "pictures  The processor draws them in tiles (--backend builtin), because that gives "
+        "pictures  The processor draws them in tiles (picture.backend=builtin), because that gives "
         "the picture of OpenGL in software in less time.\n"
-        "          OSMesa (--backend osmesa) is OpenGL without a screen, as the paper used "
+        "          OSMesa (picture.backend=osmesa) is OpenGL without a screen, as the paper used "
         "it; frostfill fps measures both.\n");
     const auto works = [](const BackendAttempt& attempt) { return attempt.works; };
     const bool hasOsmesa = std::any_of(attempts.begin(), attempts.end(),

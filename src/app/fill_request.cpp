@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/fill_request.hpp"
 
+#include "app/out_file.hpp"
 #include "app/progress/message.hpp"
+#include "run/recording.hpp"
+#include "run/resume.hpp"
 
 #include <frostfill/options.hpp>
 
@@ -25,51 +28,90 @@ Preset requestedPreset(const GivenOptions& given)
     return scene.preset;
 }
 
-} // namespace
+void sayUnlessQuiet(const FillArguments& arguments, const std::string& sentence)
+{
+    if (!arguments.quiet && !sentence.empty())
+    {
+        say(fmt::format("frostfill: {}\n", sentence));
+    }
+}
 
+/// The scene that is asked for. Throws Error.
 Scene requestedScene(const FillArguments& arguments)
 {
-    if (arguments.mesh.empty() && arguments.sceneFile.empty())
+    const GivenOptions& given = arguments.given;
+    const bool isScene = arguments.mesh.ends_with(".toml") || arguments.mesh.ends_with(".json");
+    const auto byKey = given.find(&optionOf("object.mesh"));
+    if (byKey != given.end() && !arguments.mesh.empty() && !isScene)
     {
-        throw Error(
-            ErrorCode::usage,
-            "give a MESH (torus, sphere, cube, human or a file), a --scene or a --resume; see "
-            "frostfill fill --help");
+        throw Error(ErrorCode::usage, "object.mesh is given twice, as MESH and as object.mesh: "
+                                      "give it once");
     }
-    Scene scene = arguments.sceneFile.empty()
-                      ? presetScene(requestedPreset(arguments.given), arguments.mesh)
-                      : loadRunScene(arguments.sceneFile);
-    if (!arguments.sceneFile.empty() && !arguments.mesh.empty())
+    if (byKey == given.end() && arguments.mesh.empty())
     {
-        scene.object.mesh = arguments.mesh;
-        scene.name = presetScene(scene.preset, arguments.mesh).name;
+        throw Error(ErrorCode::usage, "give a MESH (torus, sphere, cube, human or a file), a scene "
+                                      "(FILE.toml) or a --resume; see frostfill fill --help");
     }
-    applyGivenOptions(arguments.given, scene);
-    if (arguments.sceneFile.empty())
+    const std::string mesh = byKey != given.end() ? byKey->second.text : arguments.mesh;
+    Scene scene =
+        isScene ? loadRunScene(arguments.mesh) : presetScene(requestedPreset(given), mesh);
+    if (isScene && byKey != given.end())
     {
-        impliesUntilFull(arguments.given, scene);
+        scene.name = presetScene(scene.preset, mesh).name;
     }
+    applyGivenOptions(given, scene);
+    if (!isScene)
+    {
+        impliesUntilFull(given, scene);
+    }
+    sayUnlessQuiet(arguments, impliesJointRest(given, scene));
     return scene;
 }
 
-void warnOfIgnored(const FillArguments& arguments, Preset preset)
+/// Writes the run where it usually is, and what a file asks for beside it.
+void takeOutFile(const FillArguments& arguments, FillTask& task)
 {
-    const std::string ignored = ignoredOptionsText(arguments.given, preset);
-    if (!ignored.empty() && !arguments.quiet)
+    FillRequest& request = task.request;
+    request.directory = "output" / std::filesystem::path(request.scene.name);
+    switch (outKind(arguments.out, arguments.overwrite))
     {
-        say(fmt::format("frostfill: warning: {}\n", ignored));
+    case OutKind::folder:
+        if (!arguments.out.empty())
+        {
+            request.directory = arguments.out;
+        }
+        return;
+    case OutKind::video:
+        if (!arguments.video.empty())
+        {
+            throw Error(ErrorCode::usage, "--out and --video are two videos: give one of them");
+        }
+        request.video = arguments.out;
+        break;
+    case OutKind::page:
+        task.page = arguments.out;
+        break;
+    case OutKind::picture:
+        task.picture = arguments.out;
+        sayUnlessQuiet(arguments, showOnePicture(arguments.given, request.scene));
+        break;
     }
+    sayUnlessQuiet(arguments, fmt::format("--out {} is a file: the run itself goes to {}",
+                                          arguments.out, request.directory.string()));
 }
 
-FillRequest requestOf(const FillArguments& arguments)
+} // namespace
+
+FillTask taskOf(const FillArguments& arguments)
 {
-    if (!arguments.resume.empty() && (!arguments.directory.empty() || arguments.overwrite))
+    if (!arguments.resume.empty() && (!arguments.out.empty() || arguments.overwrite))
     {
         throw Error(ErrorCode::usage, "--resume names the directory of the run and keeps what is "
                                       "in it: omit --out and --overwrite");
     }
-    FillRequest request;
-    if (!arguments.resume.empty() && arguments.mesh.empty() && arguments.sceneFile.empty())
+    FillTask task;
+    FillRequest& request = task.request;
+    if (!arguments.resume.empty() && arguments.mesh.empty())
     {
         request = resumeRequest(arguments.resume);
         applyGivenOptions(arguments.given, request.scene);
@@ -78,23 +120,25 @@ FillRequest requestOf(const FillArguments& arguments)
     {
         request.scene = requestedScene(arguments);
         request.resume = !arguments.resume.empty();
-        request.directory = request.resume ? std::filesystem::path(arguments.resume)
-                            : arguments.directory.empty()
-                                ? "output" / std::filesystem::path(request.scene.name)
-                                : std::filesystem::path(arguments.directory);
         request.overwrite = arguments.overwrite;
+        request.directory = arguments.resume;
+        if (!request.resume)
+        {
+            takeOutFile(arguments, task);
+        }
     }
-    // Those of the run that is resumed, unless others are given.
-    if (!arguments.video.empty())
+    if (!arguments.video.empty()) // or that of the run that is resumed
     {
         request.video = arguments.video;
     }
-    if (!arguments.cameraPath.empty())
+    if (!task.page.empty() && !isKept(request.scene))
     {
-        request.cameraPath = arguments.cameraPath;
+        throw Error(ErrorCode::usage, "--out FILE.html shows the run file, which this run does not "
+                                      "write: add --set frames.keep_run=true");
     }
-    request.contactSheet = request.contactSheet || arguments.contactSheet;
-    return request;
+    const std::string ignored = ignoredOptionsText(arguments.given, request.scene.preset);
+    sayUnlessQuiet(arguments, ignored.empty() ? "" : "warning: " + ignored);
+    return task;
 }
 
 } // namespace frostfill

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "app/progress/json_progress.hpp"
 #include "app/scene_options.hpp"
 
 #include <frostfill/fill.hpp>
 
 #include <string>
-#include <vector>
 
 namespace frostfill
 {
@@ -15,32 +13,27 @@ namespace frostfill
 /// What the command line of `fill` gives.
 struct FillArguments
 {
-    std::string mesh;
-    std::string sceneFile;
-    std::string directory;
+    std::string mesh; ///< or a scene
+    std::string out;
     std::string resume;
     std::string video;
-    std::string cameraPath;
-    std::vector<std::string> exports; ///< formats
-    bool contactSheet = false;
     bool overwrite = false;
     bool quiet = false;
     bool json = false;
-    bool estimateVolume = false;
-    bool view = false;
-    bool fullMesh = false; ///< in the page and in exports
     bool dryRun = false;
-    JsonProgress progress;
     GivenOptions given;
 };
 
-/// The scene that is asked for. Throws Error.
-[[nodiscard]] Scene requestedScene(const FillArguments& arguments);
+/// What is done, beside the files of the run.
+struct FillTask
+{
+    FillRequest request;
+    std::filesystem::path page;    ///< empty for none
+    std::filesystem::path picture; ///< of the only frame; empty for none
+};
 
-/// Without a MESH or a scene, the run that is resumed says all. Throws Error.
-[[nodiscard]] FillRequest requestOf(const FillArguments& arguments);
-
-/// Only for the command line: a scene file has the settings of both presets.
-void warnOfIgnored(const FillArguments& arguments, Preset preset);
+/// Without a MESH or a scene, the run that is resumed says all. Says what is implied and what has
+/// no effect, unless quiet. Throws Error.
+[[nodiscard]] FillTask taskOf(const FillArguments& arguments);
 
 } // namespace frostfill

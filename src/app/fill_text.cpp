@@ -2,7 +2,7 @@
 #include "app/fill_text.hpp"
 
 #include "app/progress/message.hpp"
-#include "app/text/reach_text.hpp"
+#include "app/text/result_text.hpp"
 #include "bulk/bulk.hpp"
 
 #include <fmt/format.h>
@@ -86,7 +86,8 @@ std::string fillingText(const Scene& scene, const FillResult& result)
     {
         return "";
     }
-    return fmt::format("there is room left; about {} spheres fill the object: add --until-full\n",
+    return fmt::format("there is room left; about {} spheres fill the object: add "
+                       "--set spheres.until_full=true\n",
                        result.fitting);
 }
 
@@ -124,7 +125,8 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
             plan.crossedTriangles, p.x(), p.y(), p.z(),
             request.scene.object.load.unite
                 ? ""
-                : "; walls inside the object stay as obstacles, which --unite removes"));
+                : "; walls inside the object stay as obstacles, which --set object.unite=true "
+                  "removes"));
     }
     say(reachText(plan.reach, plan.smallestRadius, plan.volume));
     if (request.scene.frames.enabled)

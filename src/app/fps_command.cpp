@@ -43,10 +43,10 @@ struct FpsArguments
     bool csv = false;
     bool json = false;
     bool quiet = false;
-    GivenOptions load;
+    GivenOptions given;
 };
 
-Scene sceneOf(const std::string& name, std::uint64_t count, const GivenOptions& load)
+Scene sceneOf(const std::string& name, std::uint64_t count, const GivenOptions& given)
 {
     Scene scene = name.ends_with(".toml") ? loadScene(name) : presetScene(Preset::paper, name);
     if (scene.spheres.groupSize == 0)
@@ -57,7 +57,8 @@ Scene sceneOf(const std::string& name, std::uint64_t count, const GivenOptions& 
     {
         scene.spheres.count = count;
     }
-    applyGivenOptions(load, scene);
+    applyGivenOptions(given, scene);
+    (void)impliesJointRest(given, scene);
     return scene;
 }
 
@@ -67,7 +68,7 @@ FpsRequest requestOf(const FpsArguments& arguments)
     const std::vector<std::string> all = builtInMeshNames();
     for (const std::string& name : arguments.scenes.empty() ? all : arguments.scenes)
     {
-        request.scenes.push_back(sceneOf(name, arguments.count, arguments.load));
+        request.scenes.push_back(sceneOf(name, arguments.count, arguments.given));
     }
     if (!arguments.searches.empty())
     {
@@ -243,7 +244,7 @@ Command addFpsCommand(CLI::App& program)
         ->type_name("N")
         ->group(measurement);
     command->add_flag("--no-render", arguments->noRender, "Draw nothing")->group(measurement);
-    addLoadOptions(*command, arguments->load);
+    addSceneOptions(*command, arguments->given);
     addOutputOptions(*command, *arguments);
     return [arguments] { return fps(*arguments); };
 }

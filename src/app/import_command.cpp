@@ -124,7 +124,7 @@ Command addImportCommand(CLI::App& program)
                      "The mesh around the spheres: a file, which may be open, or torus, sphere, "
                      "cube, human (the box of the file)")
         ->type_name("MESH");
-    addUpOption(*command, arguments->given);
+    addSceneOptions(*command, arguments->given);
     command
         ->add_option("--timestep", request.timeStep,
                      "Seconds between two steps; needed where the file has no times")

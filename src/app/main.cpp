@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/large_allocations.hpp"
+#include "app/help/help_formatter.hpp"
 #include "app/progress/message.hpp"
 #include "app/scene_options.hpp"
 
@@ -33,28 +33,12 @@ using namespace frostfill;
 constexpr const char* kUsage = R"(Examples:
   frostfill fill torus                    the paper's torus: frames and tables in output/torus
   frostfill fill bunny.stl --radius 0.02  any closed mesh, until it is full
-  frostfill render output/torus --azimuth 60 --style dark   draw a kept run again
+  frostfill render output/torus --out cover.png --style studio   draw a kept run again
   frostfill view output/torus             a page for any browser
-  frostfill fps                           frames per second, the paper's and ours
-  frostfill mesh bunny.stl                inspect a mesh
-  frostfill check packing.csv --mesh part.stl   judge a packing from any program
+  frostfill export output/torus --to vtp  a kept run for other programs
+  frostfill check packing.csv --mesh part.stl    judge a packing from any program
   frostfill analyse output/torus          porosity, neighbours, contacts, cells, order
-  frostfill COMMAND --help                all options of a command
-)";
-
-/// The help of CLI11, without the "{false}" after the negative form of a flag.
-class HelpFormatter : public CLI::Formatter
-{
-public:
-    HelpFormatter() { column_width(32); }
-
-    std::string make_option_name(const CLI::Option* option, bool positional) const override
-    {
-        std::string name = CLI::Formatter::make_option_name(option, positional);
-        const std::size_t mark = name.find("{false}");
-        return mark == std::string::npos ? name : name.erase(mark, 7);
-    }
-};
+  frostfill COMMAND --help                the options of a command)";
 
 int report(int code, const std::string& message)
 {
@@ -80,41 +64,6 @@ std::string didYouMean(const CLI::App& program, const std::string& argument)
     return nearest.empty() ? "" : "; did you mean " + nearest + "?";
 }
 
-/// The first word, where a command should stand and does not; empty if there is none.
-std::string wrongCommand(const CLI::App& program, const std::vector<std::string>& words)
-{
-    const CLI::App* at = &program;
-    for (const std::string& word : words)
-    {
-        const auto commands = at->get_subcommands(nullptr);
-        const auto found =
-            std::find_if(commands.begin(), commands.end(),
-                         [&](const CLI::App* each) { return each->get_name() == word; });
-        if (found == commands.end())
-        {
-            return commands.empty() || word.starts_with('-') ? "" : word;
-        }
-        at = *found;
-    }
-    return "";
-}
-
-/// The commands that could stand in place of the wrong one.
-std::vector<std::string> commandsLike(const CLI::App& program, const std::string& first)
-{
-    const CLI::App* at = &program;
-    for (const CLI::App* command : program.get_subcommands(nullptr))
-    {
-        at = command->get_name() == first ? command : at;
-    }
-    std::vector<std::string> names;
-    for (const CLI::App* command : at->get_subcommands(nullptr))
-    {
-        names.push_back(command->get_name());
-    }
-    return names;
-}
-
 int reportParseError(const CLI::App& program, const CLI::ParseError& error,
                      const std::vector<std::string>& words)
 {
@@ -124,12 +73,18 @@ int reportParseError(const CLI::App& program, const CLI::ParseError& error,
         return program.exit(error);
     }
     constexpr int kUsageError = static_cast<int>(ErrorCode::usage);
-    if (const std::string wrong = wrongCommand(program, words);
-        !wrong.empty() && dynamic_cast<const CLI::RequiredError*>(&error) != nullptr)
+    std::vector<std::string> names;
+    for (const CLI::App* command : program.get_subcommands(nullptr))
     {
-        const std::string nearest = nearestName(wrong, commandsLike(program, words.front()));
+        names.push_back(command->get_name());
+    }
+    const std::string first = words.empty() ? "" : words.front();
+    if (!first.empty() && !first.starts_with('-') &&
+        std::find(names.begin(), names.end(), first) == names.end())
+    {
+        const std::string nearest = nearestName(first, names);
         return report(kUsageError,
-                      fmt::format("no command '{}'{}", wrong,
+                      fmt::format("no command '{}'{}", first,
                                   nearest.empty() ? "; see frostfill --help"
                                                   : fmt::format("; did you mean {}?", nearest)));
     }
@@ -189,25 +144,19 @@ struct NamedCommand
 {
     const char* name;
     Command (*add)(CLI::App& program);
-    bool needsOthers = false; ///< it tells of them
 };
 constexpr NamedCommand kCommands[] = {
     {"fill", addFillCommand},
     {"render", addRenderCommand},
     {"view", addViewCommand},
-    {"sweep", addSweepCommand},
-    {"plan", addPlanCommand},
-    {"fps", addFpsCommand},
-    {"check", addCheckCommand},
-    {"analyse", addAnalyseCommand},
     {"export", addExportCommand},
     {"import", addImportCommand},
+    {"check", addCheckCommand},
+    {"analyse", addAnalyseCommand},
     {"mesh", addMeshCommand},
+    {"sweep", addSweepCommand},
+    {"fps", addFpsCommand},
     {"doctor", addDoctorCommand},
-    {"options", addOptionsCommand, true},
-    {"help", addHelpCommand, true},
-    {"version", addVersionCommand},
-    {"completion", addCompletionCommand, true},
 };
 
 /// Adds the command that the first word names, or all: to describe the options of all of them takes
@@ -215,18 +164,70 @@ constexpr NamedCommand kCommands[] = {
 std::vector<std::pair<std::string, Command>> addCommands(CLI::App& program,
                                                          const std::string& first)
 {
-    const auto named = std::find_if(std::begin(kCommands), std::end(kCommands),
-                                    [&](const NamedCommand& each) { return each.name == first; });
-    const bool isEnough = named != std::end(kCommands) && !named->needsOthers;
+    const bool isOne = std::any_of(std::begin(kCommands), std::end(kCommands),
+                                   [&](const NamedCommand& each) { return each.name == first; });
     std::vector<std::pair<std::string, Command>> added;
     for (const NamedCommand& each : kCommands)
     {
-        if (!isEnough || each.name == first)
+        if (!isOne || each.name == first)
         {
             added.emplace_back(each.name, each.add(program));
+            CLI::App* command = program.get_subcommand(each.name);
+            const bool hasOutput =
+                each.name == std::string_view("fill") || each.name == std::string_view("render");
+            for (const char* help : {"--help", "--help-all"})
+            {
+                command->get_option(help)->group(hasOutput ? "Output" : "Options");
+            }
+            command->group("Commands");
         }
     }
+    program.add_subcommand("help", "Print the help of a command")->group("Commands");
     return added;
+}
+
+/// The words of the command line. "help fill" is "fill --help".
+std::vector<std::string> wordsOf(int count, char** arguments)
+{
+    std::vector<std::string> words(arguments + std::min(count, 1), arguments + count);
+    if (words.empty() || words.front() != "help")
+    {
+        return words;
+    }
+    words.erase(words.begin());
+    const bool isKnown = words.empty() || std::any_of(std::begin(kCommands), std::end(kCommands),
+                                                      [&](const NamedCommand& each)
+                                                      { return each.name == words.front(); });
+    if (isKnown)
+    {
+        words.emplace_back("--help");
+    }
+    return words;
+}
+
+/// Throws Error usage for a flag of earlier versions that the command does not have.
+void refuseFormerFlags(const CLI::App& program, const std::vector<std::string>& words)
+{
+    for (const CLI::App* command : program.get_subcommands(nullptr))
+    {
+        for (std::size_t i = 1; command->get_name() == words.front() && i < words.size(); ++i)
+        {
+            const std::size_t equals = words[i].find('=');
+            const std::string flag = words[i].substr(0, equals);
+            const bool hasNext = i + 1 < words.size() && !words[i + 1].starts_with("--");
+            const std::string value = equals != std::string::npos ? words[i].substr(equals + 1)
+                                      : hasNext                   ? words[i + 1]
+                                                                  : "";
+            const bool isFlag = flag.starts_with("--") && command->get_subcommands(nullptr).empty();
+            const std::string text = isFlag && command->get_option_no_throw(flag) == nullptr
+                                         ? formerFlagText(flag, value)
+                                         : "";
+            if (!text.empty())
+            {
+                throw Error(ErrorCode::usage, text);
+            }
+        }
+    }
 }
 
 int run(int argumentCount, char** arguments)
@@ -234,12 +235,18 @@ int run(int argumentCount, char** arguments)
     CLI::App program("Fills a closed mesh with falling spheres and renders it without a screen.",
                      "frostfill");
     program.set_version_flag("--version", std::string("frostfill ") + FROSTFILL_VERSION);
+    program.set_help_all_flag("--help-all", "Print all: keys of the scene, too");
+    program.set_help_flag("-h,--help", "Print this help");
     program.footer(kUsage);
-    program.formatter(std::make_shared<HelpFormatter>());
+    program.formatter(std::make_shared<HelpFormatter>(sceneKeysText));
     program.require_subcommand(1);
 
-    const std::vector<std::string> words = withImpliedValues(argumentCount, arguments);
+    const std::vector<std::string> words = wordsOf(argumentCount, arguments);
     const auto commands = addCommands(program, words.empty() ? "" : words.front());
+    if (!words.empty())
+    {
+        refuseFormerFlags(program, words);
+    }
     try
     {
         program.parse(
@@ -306,7 +313,6 @@ void occupyClosedStreams()
 
 int main(int argumentCount, char** arguments)
 {
-    useMemoryAgain();
     occupyClosedStreams();
     // A reader that has gone away and a limit on the size of files are failed writes, and no reason
     // to lose a run, or to end by the pipe to another program.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/load_effects.hpp"
 #include "app/scene_options.hpp"
-#include "app/text/reach_text.hpp"
+#include "app/text/result_text.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
+#include <frostfill/volume_estimate.hpp>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,6 +24,7 @@ constexpr const char* kMeshExamples = R"(Examples:
   frostfill mesh human --radius 0.05           parts that such spheres cannot reach
   frostfill mesh bunny.obj --repair bunny.ply
   frostfill mesh bust.stl --lid --repair bust.ply
+  frostfill mesh bunny.obj --estimate-volume   by filling it, beside that of the triangles
 )";
 
 struct MeshArguments
@@ -32,7 +33,27 @@ struct MeshArguments
     std::string repaired;
     GivenOptions load;
     double radius = 0; ///< of spheres whose reach is asked for; 0 for none
+    bool estimateVolume = false;
 };
+
+/// Fills the mesh with spheres, and with spheres half as large.
+int printVolume(const MeshArguments& arguments)
+{
+    Scene scene = presetScene(Preset::fast, arguments.mesh);
+    applyGivenOptions(arguments.load, scene);
+    scene.motion.mode = Motion::descend; // the fastest, as no frames are drawn
+    if (arguments.radius > 0)
+    {
+        scene.spheres.radius = arguments.radius;
+    }
+    const VolumeEstimate estimate = estimateVolume(scene);
+    fmt::print(
+        "volume {:.5g} +- {:.2g}, from {} spheres of radius {:.5g} and {} of half that radius\n",
+        estimate.volume, estimate.error, estimate.coarse, estimate.radius, estimate.fine);
+    fmt::print("the mesh has {:.5g}; the estimate differs by {:+.2f} %\n", estimate.meshVolume,
+               100 * (estimate.volume / estimate.meshVolume - 1));
+    return 0;
+}
 
 void printReport(const std::string& name, const MeshReport& report)
 {
@@ -67,7 +88,8 @@ void printReport(const std::string& name, const MeshReport& report)
     if (report.crossedTriangles > 0)
     {
         fmt::print("  crossings   {} triangles meet others, the first near {:.6g} {:.6g} {:.6g}; "
-                   "walls inside the object are obstacles, which --unite removes\n",
+                   "walls inside the object are obstacles, which --set object.unite=true "
+                   "removes\n",
                    report.crossedTriangles, report.firstCrossing.x(), report.firstCrossing.y(),
                    report.firstCrossing.z());
     }
@@ -78,8 +100,55 @@ void printReport(const std::string& name, const MeshReport& report)
     }
 }
 
+constexpr const char* kMissing = "the program frostfill-wrap is missing (docs/meshes.md)";
+
+/// Of what comes out; or why nothing does.
+std::string effect(const TriangleMesh& mesh, const std::string& name,
+                   const LoadMeshOptions& options)
+{
+    try
+    {
+        const LoadedMesh loaded = repairMesh(mesh, name, options);
+        const MeshReport report = inspectInterior(loaded.mesh, loaded.report);
+        return fmt::format("volume {:.6g}, area {:.6g}", report.volume, report.area);
+    }
+    catch (const Error& error)
+    {
+        if (error.code() == ErrorCode::missingProgram)
+        {
+            return kMissing;
+        }
+        return fmt::format("refused: {}", error.what());
+    }
+}
+
+/// A line each for --lid, --wrap and object.unite: what it would make of a mesh, in volume and
+/// surface. Empty for a mesh that is closed and does not meet itself. `asRead` is its inspection.
+std::string loadEffectsText(const TriangleMesh& mesh, const MeshReport& asRead,
+                            const std::string& name)
+{
+    if (asRead.triangles == 0 || (asRead.closed() && asRead.crossedTriangles == 0))
+    {
+        return "";
+    }
+    const bool open = !asRead.closed();
+    std::string text;
+    // A closed mesh can be filled without the program.
+    const auto add = [&](const char* option, const std::string& what)
+    { text += open || what != kMissing ? fmt::format("  with {:<31}{}\n", option, what) : ""; };
+    add("--lid", open ? effect(mesh, name, {.lid = true}) : "changes nothing: nothing is open");
+    add("--wrap auto", effect(mesh, name, {.wrap = 0.0}));
+    add(open ? "--lid --set object.unite=true" : "--set object.unite=true",
+        effect(mesh, name, {.lid = open, .unite = true}));
+    return text;
+}
+
 int inspect(const MeshArguments& arguments)
 {
+    if (arguments.estimateVolume)
+    {
+        return printVolume(arguments);
+    }
     std::vector<std::string> remarks;
     TriangleMesh mesh = isBuiltInMesh(arguments.mesh) ? builtInMesh(arguments.mesh)
                                                       : readMeshSandboxed(arguments.mesh, &remarks);
@@ -145,7 +214,9 @@ Command addMeshCommand(CLI::App& program)
                      "Show the parts that spheres of this radius cannot reach, and leaks")
         ->check(CLI::Range(1e-12, 1e12))
         ->type_name("R");
-    addLoadOptions(*command, arguments->load);
+    addSceneOptions(*command, arguments->load);
+    command->add_flag("--estimate-volume", arguments->estimateVolume,
+                      "Estimate the volume by filling the mesh with spheres (of --radius)");
     command->add_option("--repair", arguments->repaired, "Write the repaired mesh to this PLY file")
         ->type_name("OUT");
     return [arguments] { return inspect(*arguments); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/progress/json_progress.hpp"
+#include "app/out_file.hpp"
 #include "app/progress/message.hpp"
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,22 +26,20 @@ namespace
 {
 
 constexpr const char* kRenderExamples = R"(Examples:
-  frostfill render output/torus                            the same pictures, in output/torus/render
-  frostfill render output/torus --frames last --size 3840x2160 --style studio --out poster
-  frostfill render output/torus --frames 100..200 --turntable 8 --video turn.mp4
-  frostfill render output/torus --skip-existing            go on after a kill
-  frostfill render output/torus --shard 3/16               the third of sixteen parts of the pictures
-  frostfill render output/torus --gather                   whether all pictures are there
-)";
+  frostfill render output/torus                     the same pictures, in output/torus/render
+  frostfill render output/torus --out cover.png --size 3840x2160 --style studio
+  frostfill render output/torus --frames last --turntable 6 --out turn.mp4
+  frostfill render output/torus --skip-existing     go on after a kill
+  frostfill render output/torus --shard 3/16        the third of sixteen parts of the pictures
+  frostfill render output/torus --gather            whether all pictures are there)";
 
 struct RenderArguments
 {
     RenderRequest request;
     std::string run;
-    std::string directory;
+    std::string out;
     std::string video;
     std::string shard;
-    JsonProgress progress;
     bool quiet = false;
     bool json = false;
     GivenOptions given;
@@ -104,11 +103,33 @@ void requireAll(const RenderResult& result)
     }
 }
 
-int runRender(RenderArguments& arguments)
+/// Where the pictures are from which a file is made, and which go with their owner.
+class PicturesOfFile
+{
+public:
+    explicit PicturesOfFile(const std::filesystem::path& file)
+        : folder_(file.parent_path() / fmt::format(".{}.frames", file.filename().string()))
+    {
+    }
+    ~PicturesOfFile()
+    {
+        std::error_code none;
+        std::filesystem::remove_all(folder_, none);
+    }
+    PicturesOfFile(const PicturesOfFile&) = delete;
+    PicturesOfFile& operator=(const PicturesOfFile&) = delete;
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    std::filesystem::path folder_;
+};
+
+/// What is asked for, but for the changes of the scene. Throws Error usage.
+RenderRequest requestOf(const RenderArguments& arguments, OutKind kind)
 {
     RenderRequest request = arguments.request;
     request.run = arguments.run;
-    request.directory = arguments.directory;
+    request.directory = arguments.out;
     request.video = arguments.video;
     request.shard = arguments.shard.empty() ? Shard{} : parseShard(arguments.shard);
     if (request.overwrite && request.skipExisting)
@@ -116,16 +137,26 @@ int runRender(RenderArguments& arguments)
         throw Error(ErrorCode::usage, "--overwrite removes what --skip-existing would skip: omit "
                                       "one of them");
     }
-    request.change = [&](Scene& scene)
+    if (kind == OutKind::page)
     {
-        applyGivenOptions(arguments.given, scene);
-        if (!scene.frames.enabled)
-        {
-            throw Error(ErrorCode::usage, "--frames none leaves nothing to draw");
-        }
-        runHasBegun();
-    };
-    TaskBar bar;
+        throw Error(ErrorCode::usage, fmt::format("a page is written by frostfill view {} --out {}",
+                                                  arguments.run, arguments.out));
+    }
+    if (kind != OutKind::folder && (request.skipExisting || request.gather ||
+                                    !arguments.shard.empty() || !arguments.video.empty()))
+    {
+        throw Error(ErrorCode::usage, "--out names a file: omit --video, --skip-existing, --shard "
+                                      "and --gather, or give a folder");
+    }
+    if (kind == OutKind::video)
+    {
+        request.video = arguments.out;
+    }
+    return request;
+}
+
+RenderObserver observerOf(const RenderArguments& arguments, TaskBar& bar)
+{
     RenderObserver observer;
     observer.stopRequested = &stopRequested;
     if (!arguments.quiet)
@@ -133,34 +164,74 @@ int runRender(RenderArguments& arguments)
         observer.progressed = [&](std::size_t done, std::size_t all)
         { bar.update(done, all, "frames"); };
     }
-    if (arguments.progress.wanted())
-    {
-        observer.progressed = [&](std::size_t done, std::size_t all)
-        { arguments.progress.show("drawing", done, all, "frames"); };
-    }
-    catchStopSignals();
-    const RenderResult result = renderRun(request, observer);
-    bar.close();
+    return observer;
+}
 
+void printJson(const RenderResult& result)
+{
+    const nlohmann::ordered_json json = {{"directory", result.directory.string()},
+                                         {"frames", result.frames},
+                                         {"all_frames", result.allFrames},
+                                         {"skipped_frames", result.skippedFrames},
+                                         {"missing", result.missing},
+                                         {"kept_frames", result.keptFrames},
+                                         {"ended", result.ended},
+                                         {"whole_bytes", result.wholeBytes},
+                                         {"file_bytes", result.fileBytes},
+                                         {"stopped", result.stopped},
+                                         {"renderer", result.renderer},
+                                         {"seconds", result.wallSeconds}};
+    fmt::print("{}\n", json.dump(2));
+}
+
+int runRender(const RenderArguments& arguments)
+{
+    const OutKind kind = outKind(arguments.out, arguments.request.overwrite);
+    RenderRequest request = requestOf(arguments, kind);
+    std::optional<PicturesOfFile> pictures;
+    if (kind != OutKind::folder)
+    {
+        pictures.emplace(arguments.out);
+        request.directory = pictures->folder();
+        request.overwrite = true; // of what a killed process has left
+    }
+    std::string implied;
+    request.change = [&](Scene& scene)
+    {
+        applyGivenOptions(arguments.given, scene);
+        if (kind == OutKind::picture)
+        {
+            implied = showOnePicture(arguments.given, scene);
+        }
+        if (!scene.frames.enabled)
+        {
+            throw Error(ErrorCode::usage, "--frames none leaves nothing to draw");
+        }
+        runHasBegun();
+    };
+    TaskBar bar;
+    catchStopSignals();
+    RenderResult result = renderRun(request, observerOf(arguments, bar));
+    bar.close();
+    if (!implied.empty() && !arguments.quiet)
+    {
+        say(fmt::format("frostfill: {}\n", implied));
+    }
+    if (kind == OutKind::picture && result.frames > 0 && !request.dryRun)
+    {
+        copyPicture(result.directory, arguments.out);
+    }
+    if (kind != OutKind::folder)
+    {
+        result.directory = arguments.out;
+    }
     if (request.gather)
     {
         requireAll(result);
     }
     if (arguments.json)
     {
-        const nlohmann::ordered_json json = {{"directory", result.directory.string()},
-                                             {"frames", result.frames},
-                                             {"all_frames", result.allFrames},
-                                             {"skipped_frames", result.skippedFrames},
-                                             {"missing", result.missing},
-                                             {"kept_frames", result.keptFrames},
-                                             {"ended", result.ended},
-                                             {"whole_bytes", result.wholeBytes},
-                                             {"file_bytes", result.fileBytes},
-                                             {"stopped", result.stopped},
-                                             {"renderer", result.renderer},
-                                             {"seconds", result.wallSeconds}};
-        fmt::print("{}\n", json.dump(2));
+        printJson(result);
     }
     else if (!arguments.quiet)
     {
@@ -175,50 +246,25 @@ int runRender(RenderArguments& arguments)
 
 void addOutput(CLI::App& command, RenderArguments& arguments)
 {
-    const char* output = "Output";
-    command
-        .add_option("--out", arguments.directory,
-                    "Directory of the pictures (render, in that of the run)")
-        ->type_name("DIR")
-        ->group(output);
-    command.add_option("--video", arguments.video, "Also make a video of the frames, with ffmpeg")
-        ->type_name("FILE.mp4|.webm|.gif")
-        ->group(output);
-    command
-        .add_option("--camera-path", arguments.request.cameraPath,
-                    "Move the camera: keyframes SECONDS:AZIMUTH,ELEVATION[,ZOOM] of the video, or "
-                    "a file of such lines; otherwise as in the run")
-        ->type_name("KEYS|FILE")
-        ->group(output);
-    command
-        .add_flag("--contact-sheet", arguments.request.contactSheet,
-                  "Also draw twelve frames in one picture, contact_sheet.png")
-        ->group(output);
-    command.add_flag("--overwrite", arguments.request.overwrite, "Replace earlier pictures")
-        ->group(output);
-    command
-        .add_flag("--skip-existing", arguments.request.skipExisting,
-                  "Keep existing pictures that are complete and of this run, frame and settings; "
-                  "not with a video or passes")
-        ->group(output);
-    command
-        .add_option("--shard", arguments.shard,
-                    "Draw only the I-th of N parts, beside other processes; slurm: that of this "
-                    "task of a job array")
-        ->type_name("I/N|slurm")
-        ->group(output);
-    command
-        .add_flag("--gather", arguments.request.gather,
-                  "Draw nothing; check that all pictures exist, complete and correct")
-        ->group(output);
-    command
-        .add_flag("--dry-run", arguments.request.dryRun,
-                  "Check everything and say what would be done, but write nothing")
-        ->group(output);
-    arguments.progress.addTo(command, output);
-    command.add_flag("--quiet", arguments.quiet, "Print errors only")->group(output);
-    command.add_flag("--json", arguments.json, "Print what was drawn as JSON on standard output")
-        ->group(output);
+    RenderRequest& request = arguments.request;
+    const auto add = [&](const char* name, std::string& value, const char* help, const char* type)
+    { command.add_option(name, value, help)->type_name(type)->group("Output"); };
+    const auto addFlag = [&](const char* name, bool& value, const char* help)
+    { command.add_flag(name, value, help)->group("Output"); };
+    add("--out", arguments.out,
+        "Folder of the pictures (render, in that of the run), or a file: .mp4, .webm, .gif, .png",
+        "DIR|FILE");
+    add("--video", arguments.video, "Also make a video of the frames: .mp4, .webm or .gif", "FILE");
+    addFlag("--overwrite", request.overwrite, "Replace earlier pictures");
+    addFlag("--skip-existing", request.skipExisting,
+            "Keep pictures that are complete and of this run, frame and settings");
+    add("--shard", arguments.shard,
+        "Draw the I-th of N parts, beside other processes; slurm: that of this task of an array",
+        "I/N|slurm");
+    addFlag("--gather", request.gather, "Draw nothing; check that all pictures are there");
+    addFlag("--dry-run", request.dryRun, "Check all and say what would be done; write nothing");
+    addFlag("--quiet", arguments.quiet, "Print errors only");
+    addFlag("--json", arguments.json, "Print what was drawn as JSON on standard output");
 }
 
 } // namespace
@@ -229,12 +275,11 @@ Command addRenderCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand(
         "render", "Draw a kept run again; settings that are not given are those of the run");
     command->footer(kRenderExamples);
-    command->add_option("RUN", arguments->run, "Directory of a run that was kept, or its run.frost")
+    command->add_option("RUN", arguments->run, "Folder of a run that was kept, or its run.frost")
         ->required();
-    addPictureOptions(*command, arguments->given);
+    addSceneOptions(*command, arguments->given);
     addOutput(*command, *arguments);
-    return [arguments]
-    { return arguments->progress.endWith([&] { return runRender(*arguments); }); };
+    return [arguments] { return runRender(*arguments); };
 }
 
 } // namespace frostfill

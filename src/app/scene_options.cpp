@@ -8,12 +8,35 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <string_view>
 
 namespace frostfill
 {
 namespace
 {
+
+/// The help shows so many words in place of a name at most.
+constexpr std::size_t kMaxWords = 6;
+
+/// What a command takes. Runs that a file describes are changed by --set alone.
+std::vector<const Option*> optionsOf(std::string_view command)
+{
+    if (command == "import")
+    {
+        return {&optionOf("object.up")};
+    }
+    const bool hasPacking = command == "check" || command == "analyse";
+    std::vector<const Option*> options = optionsFor(command == "render" ? OptionUse::pictures
+                                                    : command == "mesh" ? OptionUse::loading
+                                                    : hasPacking        ? OptionUse::judging
+                                                                        : OptionUse::filling);
+    if (command == "analyse")
+    {
+        std::erase_if(options, [](const Option* each) { return each->key.starts_with("judge."); });
+    }
+    return options;
+}
 
 /// What stands behind the flag in the help.
 std::string placeholder(const Option& option)
@@ -37,14 +60,18 @@ std::string placeholder(const Option& option)
         break;
     case OptionType::text:
         what = option.texts().empty() ? option.placeholder
-                                      : fmt::format("{}", fmt::join(option.texts(), "|"));
+               : option.texts().size() > kMaxWords
+                   ? "NAME"
+                   : fmt::format("{}", fmt::join(option.texts(), "|"));
         break;
     }
     for (const auto& [word, number] : option.words)
     {
         what += "|" + word;
     }
-    return option.nothing.empty() ? what : what + "|" + option.nothing;
+    return option.nothing.empty() || !option.texts().empty() || option.type == OptionType::text
+               ? what
+               : what + "|" + option.nothing;
 }
 
 std::string presetName(Preset preset)
@@ -55,119 +82,134 @@ std::string presetName(Preset preset)
     return optionText(option, option.get(scene));
 }
 
-std::string helpWithDefault(const Option& option)
+/// The count and the groups depend on the object; the help shows those of the torus.
+std::string defaultText(const Option& option)
 {
-    // The count and the groups depend on the object; the help shows those of the torus.
-    const Scene standard = presetScene(Preset::fast, "torus");
-    return fmt::format("{}{} ({})", option.help,
-                       option.preset ? fmt::format("; preset {}", presetName(*option.preset)) : "",
-                       optionText(option, option.get(standard)));
+    static const Scene kStandard = presetScene(Preset::fast, "torus");
+    return optionText(option, option.get(kStandard));
 }
 
-void addOption(CLI::App& command, const Option& option, GivenOptions& given,
-               const std::string& help)
+/// Throws Error usage where the option has a value already.
+void keep(GivenOptions& given, const Option& option, const std::string& name,
+          const std::string& text)
 {
-    const auto keep = [&given, &option](const std::string& text) { given[&option] = text; };
+    if (const auto [at, isNew] = given.try_emplace(&option, GivenOption{name, text}); !isNew)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("{} is given twice, as {} and as {}: give it once", option.key,
+                                at->second.name, name));
+    }
+}
+
+void addFlag(CLI::App& command, const Option& option, GivenOptions& given)
+{
+    const auto take = [&given, &option](const std::string& text)
+    { keep(given, option, option.flag, text); };
+    // What is not given for the pictures of a run that is over is as in the run.
+    const std::string help = command.get_name() == "render"
+                                 ? option.help
+                                 : fmt::format("{} ({})", option.help, defaultText(option));
     CLI::Option* added = nullptr;
     if (option.type == OptionType::boolean)
     {
         added = command.add_flag_function(
             fmt::format("{},!--no-{}", option.flag, option.flag.substr(2)),
-            [keep](std::int64_t times) { keep(times > 0 ? "true" : "false"); }, help);
+            [take](std::int64_t times) { take(times > 0 ? "true" : "false"); }, help);
     }
     else
     {
-        added = command.add_option_function<std::string>(option.flag, keep, help)
+        added = command.add_option_function<std::string>(option.flag, take, help)
                     ->type_name(placeholder(option));
     }
     added->group(option.group);
-    if (!option.complement.empty())
-    {
-        command
-            .add_option_function<double>(
-                option.complement, [keep](double one) { keep(fmt::format("{:.12g}", 1 - one)); },
-                fmt::format("1 minus {}", option.flag))
-            ->type_name("X")
-            ->group(option.group)
-            ->excludes(added);
-    }
 }
 
-void addOptions(CLI::App& command, GivenOptions& given, OptionUse use)
+/// Takes "spheres.count=300".
+void takeSetting(const std::string& setting, std::string_view command, GivenOptions& given)
 {
-    for (const Option* option : optionsFor(use))
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals + 1 == setting.size())
     {
-        if (!option->flag.empty())
-        {
-            // What is not given for the pictures of a run that is over is as in the run.
-            addOption(command, *option, given,
-                      use == OptionUse::pictures ? option->help : helpWithDefault(*option));
-        }
+        throw Error(ErrorCode::usage,
+                    fmt::format("--set {} has no value: give --set KEY=VALUE", setting));
     }
+    const std::string key = setting.substr(0, equals);
+    const Option* option = findOption(key);
+    if (option == nullptr)
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("--set: unknown key '{}'{}", key, didYouMeanKey(key)));
+    }
+    const std::vector<const Option*> taken = optionsOf(command);
+    if (std::find(taken.begin(), taken.end(), option) == taken.end())
+    {
+        throw Error(ErrorCode::usage, fmt::format("{0} does not use the key {1}; see frostfill {0} "
+                                                  "--help-all",
+                                                  command, key));
+    }
+    keep(given, *option, key, setting.substr(equals + 1));
 }
 
 } // namespace
 
 void addSceneOptions(CLI::App& command, GivenOptions& given)
 {
-    addOptions(command, given, OptionUse::filling);
-}
-
-void addPictureOptions(CLI::App& command, GivenOptions& given)
-{
-    addOptions(command, given, OptionUse::pictures);
-}
-
-void addLoadOptions(CLI::App& command, GivenOptions& given)
-{
-    addOptions(command, given, OptionUse::loading);
-}
-
-void addUpOption(CLI::App& command, GivenOptions& given)
-{
-    const Option& up = optionOf("object.up");
-    addOption(command, up, given, helpWithDefault(up));
-}
-
-void addCheckOptions(CLI::App& command, GivenOptions& given)
-{
-    addOptions(command, given, OptionUse::judging);
-}
-
-std::vector<std::string> withImpliedValues(int count, const char* const* arguments)
-{
-    std::vector<std::string> result;
-    for (int i = 1; i < count; ++i)
+    const std::string name = command.get_name();
+    if (name != "sweep" && name != "fps")
     {
-        result.emplace_back(arguments[i]);
-        for (const Option& option : sceneOptions())
+        for (const Option* option : optionsOf(name))
         {
-            // What cannot be a value is the next argument: `--wrap part.stl`.
-            if (!option.implied.empty() && option.flag == result.back() &&
-                (i + 1 == count || !readOptionText(option, arguments[i + 1]) ||
-                 std::string_view(arguments[i + 1]).starts_with("--")))
+            if (!option->flag.empty())
             {
-                result.back() += "=" + option.implied;
-                break;
+                addFlag(command, *option, given);
             }
         }
     }
-    return result;
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--set",
+            [&given, name](const std::vector<std::string>& settings)
+            {
+                for (const std::string& setting : settings)
+                {
+                    takeSetting(setting, name, given);
+                }
+            },
+            "Any key of the scene, several times; --help-all lists the keys")
+        ->allow_extra_args(false)
+        ->type_name("KEY=VALUE")
+        ->group(name == "fill" || name == "render" ? "Output" : "Options");
+}
+
+std::string sceneKeysText(const CLI::App& command)
+{
+    if (command.get_option_no_throw("--set") == nullptr)
+    {
+        return "";
+    }
+    std::string text = "\nKeys of the scene, for --set KEY=VALUE and scene files:\n";
+    std::string group;
+    for (const Option* option : optionsOf(command.get_name()))
+    {
+        text += option->group == group ? "" : fmt::format(" {}\n", option->group);
+        group = option->group;
+        text += fmt::format("  {:<26} {}{}: {} ({})\n", option->key, option->help,
+                            option->preset ? fmt::format("; preset {}", presetName(*option->preset))
+                                           : "",
+                            describeAllowed(*option), defaultText(*option));
+    }
+    return text;
 }
 
 void applyGivenOptions(const GivenOptions& given, Scene& scene)
 {
     // In the table's order, not the command line's: a style comes before the colours that differ.
-    for (const auto& [option, text] : given)
+    for (const auto& [option, value] : given)
     {
-        const auto value = readOptionText(*option, text);
-        if (!value || !setOption(*option, scene, *value))
+        const auto read = readOptionText(*option, value.text);
+        if (!read || !setOption(*option, scene, *read))
         {
-            const std::string name =
-                option->complement.empty()
-                    ? option->flag
-                    : fmt::format("{} (1 minus {})", option->flag, option->complement);
-            throw Error(ErrorCode::usage, refusalText(*option, name, text));
+            throw Error(ErrorCode::usage, refusalText(*option, value.name, value.text));
         }
     }
 }
@@ -177,7 +219,7 @@ std::string ignoredOptionsText(const GivenOptions& given, Preset preset)
     std::vector<std::string> ignored;
     for (const Option* option : ignoredOptions(given, preset))
     {
-        ignored.push_back(option->flag);
+        ignored.push_back(given.at(option).name);
     }
     if (ignored.empty())
     {

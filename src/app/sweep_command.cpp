@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "app/progress/json_progress.hpp"
 #include "app/progress/message.hpp"
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
+#include "app/scene_options.hpp"
 
 #include <frostfill/plan_fill.hpp>
 #include <frostfill/sweep.hpp>
@@ -40,13 +40,32 @@ struct SweepArguments
     bool overwrite = false;
     bool dryRun = false;
     bool quiet = false;
-    JsonProgress progress;
+    GivenOptions given;
 };
+
+/// Changes the settings of all runs. Throws Error usage for one of which the sweep has a list.
+void applyToAll(const GivenOptions& given, std::vector<SweepRun>& runs)
+{
+    for (SweepRun& run : runs)
+    {
+        for (const auto& [key, text] : run.swept)
+        {
+            if (given.contains(&optionOf(key)))
+            {
+                throw Error(ErrorCode::usage,
+                            fmt::format("{} has a list of values in the sweep: omit --set", key));
+            }
+        }
+        applyGivenOptions(given, run.scene);
+        (void)impliesJointRest(given, run.scene);
+    }
+}
 
 SweepRequest requestOf(const SweepArguments& arguments)
 {
     SweepRequest request;
     request.runs = loadSweep(arguments.file);
+    applyToAll(arguments.given, request.runs);
     request.directory =
         arguments.directory.empty()
             ? std::filesystem::path("output") / std::filesystem::path(arguments.file).stem()
@@ -178,21 +197,16 @@ int printDryRun(const SweepRequest& request)
 class SweepProgress
 {
 public:
-    SweepProgress(SweepArguments& arguments, const SweepRequest& request)
+    SweepProgress(const SweepArguments& arguments, const SweepRequest& request)
         : arguments_(arguments), request_(request), all_(runsOf(request).size()),
           bar_(!arguments.quiet && isatty(STDERR_FILENO) == 1)
     {
     }
 
-    void begins(std::size_t index)
-    {
-        index_ = index;
-        arguments_.progress.show("sweeping", done_, all_, "runs");
-    }
+    void begins(std::size_t index) { index_ = index; }
     void progressed(const FillProgress& progress)
     {
         const std::string& name = request_.runs[index_].name;
-        arguments_.progress.show(progress, name);
         if (bar_)
         {
             const double share = static_cast<double>(progress.spheres) /
@@ -206,7 +220,6 @@ public:
     {
         ++done_;
         line_.close();
-        arguments_.progress.show("sweeping", done_, all_, "runs");
         if (!arguments_.quiet)
         {
             fmt::print("{}/{} {}: {}\n", done_, all_, request_.runs[index].name,
@@ -216,7 +229,7 @@ public:
     }
 
 private:
-    SweepArguments& arguments_;
+    const SweepArguments& arguments_;
     const SweepRequest& request_;
     std::size_t all_;
     bool bar_;
@@ -225,7 +238,7 @@ private:
     TaskBar line_;
 };
 
-int sweep(SweepArguments& arguments)
+int sweep(const SweepArguments& arguments)
 {
     const SweepRequest request = requestOf(arguments);
     if (arguments.gather)
@@ -285,9 +298,9 @@ Command addSweepCommand(CLI::App& program)
                       "Replace other runs in the folders of these");
     command->add_flag("--dry-run", arguments->dryRun,
                       "Check everything and say what would be done, but write nothing");
-    arguments->progress.addTo(*command, "Options");
     command->add_flag("--quiet", arguments->quiet, "Print errors only");
-    return [arguments] { return arguments->progress.endWith([&] { return sweep(*arguments); }); };
+    addSceneOptions(*command, arguments->given);
+    return [arguments] { return sweep(*arguments); };
 }
 
 } // namespace frostfill

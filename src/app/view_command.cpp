@@ -2,7 +2,7 @@
 #include "app/commands.hpp"
 #include "app/progress/message.hpp"
 #include "app/progress/stop_signals.hpp"
-#include "app/text/shell_text.hpp"
+#include "app/text/result_text.hpp"
 #include "app/view_text.hpp"
 
 #include <frostfill/error.hpp>
@@ -19,7 +19,7 @@ namespace
 
 constexpr const char* kViewExamples = R"(Examples:
   frostfill view output/torus                      open output/torus/view.html in a browser
-  frostfill view output/torus --output torus.html --max-size 5
+  frostfill view output/torus --out torus.html --max-size 5
 )";
 
 struct ViewArguments
@@ -56,8 +56,7 @@ Command addViewCommand(CLI::App& program)
     command->footer(kViewExamples);
     command->add_option("RUN", arguments->run, "Directory of a run that was kept, or its run.frost")
         ->required();
-    command
-        ->add_option("--output", arguments->file, "The page (view.html, in the directory of RUN)")
+    command->add_option("--out", arguments->file, "The page (view.html, in the folder of RUN)")
         ->type_name("FILE");
     command
         ->add_option("--max-size", arguments->megabytes,

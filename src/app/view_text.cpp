@@ -4,7 +4,7 @@
 #include "app/progress/message.hpp"
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
-#include "app/text/shell_text.hpp"
+#include "app/text/result_text.hpp"
 
 #include <fmt/format.h>
 
@@ -27,8 +27,8 @@ std::string withoutMotion(const PageRequest& request, const PageResult& result)
     }
     const std::string size = result.motionBytes > 0 ? sizeText(result.motionBytes)
                                                     : "far more than " + sizeText(request.maxBytes);
-    return fmt::format("the page shows the last frame alone: all {} would take {}; give a larger "
-                       "--max-size\n",
+    return fmt::format("the page shows the last frame alone: all {} would take {}; frostfill view "
+                       "--max-size takes a larger limit\n",
                        result.keptFrames, size);
 }
 

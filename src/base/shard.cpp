@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_number.hpp"
+
 #include <frostfill/error.hpp>
 #include <frostfill/shard.hpp>
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -16,20 +17,12 @@ namespace
 
 constexpr std::size_t kMaxParts = 1000000;
 
-std::optional<std::size_t> readWhole(std::string_view text)
-{
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc() && end == text.data() + text.size() ? std::optional(number)
-                                                                    : std::nullopt;
-}
-
 /// Of the job array that this process is a task of.
 std::size_t fromSlurm(const char* what)
 {
     const std::string name = fmt::format("SLURM_ARRAY_TASK_{}", what);
     const char* text = std::getenv(name.c_str());
-    const auto number = text == nullptr ? std::nullopt : readWhole(text);
+    const auto number = text == nullptr ? std::nullopt : readNumber<std::size_t>(text);
     if (!number)
     {
         throw Error(ErrorCode::usage,
@@ -69,9 +62,10 @@ Shard parseShard(std::string_view text)
         return shardOfSlurm();
     }
     const std::size_t slash = text.find('/');
-    const auto index = readWhole(text.substr(0, slash));
-    const auto count =
-        slash == std::string_view::npos ? std::nullopt : readWhole(text.substr(slash + 1));
+    const auto index = readNumber<std::size_t>(text.substr(0, slash));
+    const auto count = slash == std::string_view::npos
+                           ? std::nullopt
+                           : readNumber<std::size_t>(text.substr(slash + 1));
     if (!index || !count || *index < 1 || *index > *count || *count > kMaxParts)
     {
         throw Error(ErrorCode::usage,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "bed/bed.hpp"
 
+#include "base/read_number.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -25,29 +26,6 @@ constexpr double kDust = 1e-14;
 [[noreturn]] void refuse(const std::string& what)
 {
     throw Error(ErrorCode::usage, what);
-}
-
-/// Numbers separated by commas; empty if they are none.
-std::vector<double> numbersOf(std::string_view text)
-{
-    std::vector<double> numbers;
-    while (true)
-    {
-        const std::size_t comma = text.find(',');
-        const std::string_view word = text.substr(0, comma);
-        double number = 0;
-        const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
-        if (fault != std::errc() || end != word.data() + word.size())
-        {
-            return {};
-        }
-        numbers.push_back(number);
-        if (comma == std::string_view::npos)
-        {
-            return numbers;
-        }
-        text.remove_prefix(comma + 1);
-    }
 }
 
 /// Coordinates that only rounding keeps from being 0, such as those of a tube that was made with
@@ -100,7 +78,9 @@ void parseContacts(const std::string& text, BedSettings& result)
     const std::string name = text.substr(0, colon);
     const bool hasValues = colon != std::string::npos;
     const std::vector<double> values =
-        hasValues ? numbersOf(std::string_view(text).substr(colon + 1)) : std::vector<double>();
+        hasValues
+            ? readNumbers(std::string_view(text).substr(colon + 1)).value_or(std::vector<double>())
+            : std::vector<double>();
     const auto mayHave = [&](std::size_t most)
     {
         if (hasValues && (values.empty() || values.size() > most))

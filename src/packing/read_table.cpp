@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_number.hpp"
 #include "packing/timestep.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace frostfill
 {
@@ -35,13 +35,7 @@ bool areNumbers(const TableWords& words)
 {
     return !words.empty() &&
            std::all_of(words.begin(), words.end(),
-                       [](std::string_view word)
-                       {
-                           double value = 0;
-                           const auto [end, error] =
-                               std::from_chars(word.data(), word.data() + word.size(), value);
-                           return error == std::errc() && end == word.data() + word.size();
-                       });
+                       [](std::string_view word) { return readNumber<double>(word).has_value(); });
 }
 
 /// The index of a column that is given by its name, or by its number from 1.
@@ -52,21 +46,20 @@ int indexOfColumn(const std::string& column, const TableWords& heading, const Te
     {
         return static_cast<int>(at - heading.begin());
     }
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(column.data(), column.data() + column.size(), number);
-    if (error != std::errc() || end != column.data() + column.size())
+    const auto number = readNumber<std::size_t>(column);
+    if (!number)
     {
         lines.refuse(
             areNumbers(heading)
                 ? fmt::format("no heading that could have a column '{}'; give its number", column)
                 : fmt::format("no column '{}' among {}", column, fmt::join(heading, ", ")));
     }
-    if (number == 0 || number > heading.size())
+    if (*number == 0 || *number > heading.size())
     {
         lines.refuse(
-            fmt::format("no column {}: there are {}, counted from 1", number, heading.size()));
+            fmt::format("no column {}: there are {}, counted from 1", *number, heading.size()));
     }
-    return static_cast<int>(number) - 1;
+    return static_cast<int>(*number) - 1;
 }
 
 /// Puts the columns that are given in the place of those that have the usual names.

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "packing/text_lines.hpp"
 
+#include "base/read_number.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace frostfill
 {
@@ -90,36 +91,32 @@ std::vector<std::string_view> wordsOf(std::string_view line, char separator)
 
 double numberOf(std::string_view word, const TextLines& lines)
 {
-    double value = 0;
-    const std::string_view plain = word.starts_with('+') ? word.substr(1) : word;
-    const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-    if (error != std::errc() || end != plain.data() + plain.size())
+    const auto value = readNumber<double>(word.starts_with('+') ? word.substr(1) : word);
+    if (!value)
     {
         lines.refuse(fmt::format("'{}' is no number", word));
     }
-    return value;
+    return *value;
 }
 
 std::size_t countOf(std::string_view word, const TextLines& lines)
 {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size() || value > kMaxSpheres)
+    const auto value = readNumber<std::size_t>(word);
+    if (!value || *value > kMaxSpheres)
     {
         lines.refuse(fmt::format("'{}' is no number of spheres", word));
     }
-    return value;
+    return *value;
 }
 
 std::uint64_t wholeNumberOf(std::string_view word, const TextLines& lines)
 {
-    std::uint64_t value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if (error != std::errc() || end != word.data() + word.size())
+    const auto value = readNumber<std::uint64_t>(word);
+    if (!value)
     {
         lines.refuse(fmt::format("'{}' is no whole number from 0", word));
     }
-    return value;
+    return *value;
 }
 
 } // namespace frostfill

@@ -205,7 +205,7 @@ PageResult writePage(const PageRequest& request, const PageProgress& progress)
     if (!request.overwrite && std::filesystem::exists(std::filesystem::symlink_status(result.file)))
     {
         throw Error(ErrorCode::cannotCreate,
-                    fmt::format("'{}' is there already; give --overwrite, or another --output",
+                    fmt::format("'{}' is there already; give --overwrite, or another --out",
                                 result.file.string()));
     }
     PageMaker maker(request, run, progress);

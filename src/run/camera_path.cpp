@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "run/camera_path.hpp"
 
+#include "base/read_number.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -15,26 +16,6 @@ namespace frostfill
 {
 namespace
 {
-
-/// Reads a number from the front of a text, and removes it.
-std::optional<double> takeNumber(std::string_view& text)
-{
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || !std::isfinite(value))
-    {
-        return std::nullopt;
-    }
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return value;
-}
-
-bool takeSign(std::string_view& text, char sign)
-{
-    const bool there = !text.empty() && text.front() == sign;
-    text.remove_prefix(there ? 1 : 0);
-    return there;
-}
 
 std::string withoutComments(std::istream& lines)
 {
@@ -60,26 +41,18 @@ double blend(double share, double from, double to, double slopeFrom, double slop
 
 std::optional<CameraPath::Key> CameraPath::readKey(const std::string& word)
 {
-    std::string_view text = word;
-    const auto time = takeNumber(text);
-    if (!time || !takeSign(text, ':'))
+    const auto parts = partsOf(word, ':');
+    const auto time = readNumber<double>(parts[0]);
+    const auto numbers = parts.size() == 2 ? readNumbers(parts[1]) : std::nullopt;
+    if (!time || !numbers || numbers->size() < 2 || numbers->size() > 3)
     {
         return std::nullopt;
     }
-    const auto azimuth = takeNumber(text);
-    if (!azimuth || !takeSign(text, ','))
-    {
-        return std::nullopt;
-    }
-    const auto elevation = takeNumber(text);
-    const auto zoom = takeSign(text, ',') ? takeNumber(text) : std::optional(1.0);
-    if (!elevation || !zoom || !text.empty())
-    {
-        return std::nullopt;
-    }
-    const bool sound = *time >= 0 && std::abs(*azimuth) <= 1e6 && std::abs(*elevation) <= 90 &&
-                       *zoom >= 1e-4 && *zoom <= 1e4;
-    return sound ? std::optional(Key{*time, *azimuth, *elevation, *zoom}) : std::nullopt;
+    const Key key = {*time, (*numbers)[0], (*numbers)[1],
+                     numbers->size() > 2 ? (*numbers)[2] : 1.0};
+    const bool isSound = std::isfinite(key.time) && key.time >= 0 && std::abs(key.azimuth) <= 1e6 &&
+                         std::abs(key.elevation) <= 90 && key.zoom >= 1e-4 && key.zoom <= 1e4;
+    return isSound ? std::optional(key) : std::nullopt;
 }
 
 std::optional<std::vector<CameraPath::Key>> CameraPath::readKeys(const std::string& text)
@@ -108,7 +81,7 @@ CameraPath CameraPath::read(const std::string& textOrFile)
         const auto keys = readKeys(textOrFile);
         if (!keys)
         {
-            throw Error(ErrorCode::usage, fmt::format("--camera-path {}: {}", textOrFile, kForm));
+            throw Error(ErrorCode::usage, fmt::format("camera.path {}: {}", textOrFile, kForm));
         }
         path.keys_ = *keys;
         return path;
@@ -126,6 +99,12 @@ CameraPath CameraPath::read(const std::string& textOrFile)
     }
     path.keys_ = *keys;
     return path;
+}
+
+std::optional<CameraPath> CameraPath::of(const Scene& scene)
+{
+    const std::optional<std::string>& path = scene.frames.cameraPath;
+    return path ? std::optional(read(*path)) : std::nullopt;
 }
 
 std::string CameraPath::text() const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <frostfill/view.hpp>
+#include <frostfill/scene.hpp>
 
 #include <optional>
 #include <string>
@@ -21,6 +21,8 @@ public:
     /// Throws Error inputMissing for a file that cannot be read, badData for one with a fault, and
     /// usage for keyframes of no sense.
     [[nodiscard]] static CameraPath read(const std::string& textOrFile);
+    /// That of a scene, if it has one.
+    [[nodiscard]] static std::optional<CameraPath> of(const Scene& scene);
 
     /// The camera with the path's azimuth, elevation and zoom at a time of the video [s].
     [[nodiscard]] Camera at(double seconds, Camera camera) const;

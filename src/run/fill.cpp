@@ -126,10 +126,14 @@ ReachInspection reachWithoutLeak(const Scene& scene, const Simulation& simulatio
     return reach;
 }
 
-std::optional<CameraPath> cameraPathOf(const FillRequest& request)
+/// The camera's path is kept as what its file says now.
+FillRequest withKeyframes(FillRequest request)
 {
-    return request.cameraPath.empty() ? std::nullopt
-                                      : std::optional(CameraPath::read(request.cameraPath));
+    if (const auto path = CameraPath::of(request.scene))
+    {
+        request.scene.frames.cameraPath = path->text();
+    }
+    return request;
 }
 
 LoadedMesh loadMesh(const FillRequest& request)
@@ -212,7 +216,7 @@ void enterPictures(const FillRequest& request, const FramePainter& painter, std:
     }
     result.skippedFrames = painter.drawn().skipped;
     result.videoFailure = painter.drawn().videoFailure;
-    if (request.contactSheet)
+    if (request.scene.frames.contactSheet)
     {
         writeContactSheet(request.scene, request.directory, painter);
     }
@@ -247,24 +251,20 @@ void finishFiles(const RunRecord& run, FrameRecorder* recorder)
 /// Throws Error usage for wishes that cannot be met together.
 void requireWishesFit(const FillRequest& request)
 {
-    if (!request.scene.frames.enabled && (!request.video.empty() || request.contactSheet))
+    if (!request.scene.frames.enabled &&
+        (!request.video.empty() || request.scene.frames.contactSheet))
     {
-        throw Error(ErrorCode::usage,
-                    "--video and --contact-sheet need frames: omit --frames none, "
-                    "or omit --video and --contact-sheet");
-    }
-    if (!request.cameraPath.empty() && request.scene.camera.turntable)
-    {
-        throw Error(ErrorCode::usage,
-                    "--camera-path and --turntable both move the camera: omit one of them");
+        throw Error(ErrorCode::usage, "a video and a contact sheet need frames: omit --frames "
+                                      "none, or --video and frames.contact_sheet");
     }
     requireBackgroundOf(request.video, request.scene);
 }
 
 } // namespace
 
-FillPlan planFill(const FillRequest& request, const FillObserver& observer)
+FillPlan planFill(const FillRequest& asked, const FillObserver& observer)
 {
+    const FillRequest request = withKeyframes(asked);
     requireWishesFit(request);
     validateScene(request.scene);
     bool resumes = false;
@@ -272,7 +272,7 @@ FillPlan planFill(const FillRequest& request, const FillObserver& observer)
     const Simulation simulation(request.scene, mesh);
     mesh.report = simulation.object();
     RunDirectory::check(request.directory, earlierFiles(request, resumes));
-    const std::optional<CameraPath> path = cameraPathOf(request);
+    const std::optional<CameraPath> path = CameraPath::of(request.scene);
     const ReachInspection reach = reachWithoutLeak(request.scene, simulation);
     const RunLength length = estimatedLength(request.scene, mesh, simulation, observer);
     const FramePlan frames =
@@ -280,8 +280,9 @@ FillPlan planFill(const FillRequest& request, const FillObserver& observer)
     return makePlan(request.scene, mesh, simulation, frames, reach);
 }
 
-FillResult fill(const FillRequest& request, const FillObserver& observer)
+FillResult fill(const FillRequest& asked, const FillObserver& observer)
 {
+    const FillRequest request = withKeyframes(asked);
     requireWishesFit(request);
     PhaseClock clock;
     validateScene(request.scene);
@@ -297,11 +298,11 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     }
     const EarlierRun earlier = earlierFiles(request, resumes);
     RunDirectory directory(request.directory, earlier);
-    const std::optional<CameraPath> path = cameraPathOf(request);
+    const std::optional<CameraPath> path = CameraPath::of(request.scene);
     std::optional<BegunRun> begun(request.directory);
     if (isKept(request.scene) && earlier != EarlierRun::keep)
     {
-        begun->keep(request, mesh, simulation, path);
+        begun->keep(request, mesh, simulation);
     }
     const auto recorder = stoppableRecorder(request, mesh, simulation, path, observer);
     FillResult result;
@@ -320,7 +321,7 @@ FillResult fill(const FillRequest& request, const FillObserver& observer)
     directory.begin(); // all that can fail before the first step has not
     if (isKept(request.scene))
     {
-        keepRun(*recorder, request, mesh, simulation, frames, path);
+        keepRun(*recorder, request, mesh, simulation, frames);
     }
     begun.reset();
     if (observer.planned)

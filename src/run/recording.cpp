@@ -111,15 +111,13 @@ namespace
 {
 
 std::string headOf(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
-                   const FramePlan& frames, const std::optional<CameraPath>& path)
+                   const FramePlan& frames)
 {
     RunHead head;
     head.scene = request.scene;
     head.repairs = mesh.repairs;
     head.lidTriangles = mesh.lidTriangles;
     head.video = request.video.empty() ? "" : std::filesystem::absolute(request.video).string();
-    head.cameraPath = path ? path->text() : "";
-    head.contactSheet = request.contactSheet;
     head.colours = colourFacts(request.scene, simulation);
     head.interval = frames.timing.interval;
     head.stride = frames.stride;
@@ -131,11 +129,10 @@ std::string headOf(const FillRequest& request, const LoadedMesh& mesh, const Sim
 } // namespace
 
 void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
-             const Simulation& simulation, const FramePlan& frames,
-             const std::optional<CameraPath>& path)
+             const Simulation& simulation, const FramePlan& frames)
 {
     recorder.keepIn(std::make_unique<RunFileWriter>(
-        request.directory / kRunFile, headOf(request, mesh, simulation, frames, path), mesh.mesh,
+        request.directory / kRunFile, headOf(request, mesh, simulation, frames), mesh.mesh,
         simulation.smallestRadius(),
         request.resume ? EarlierFile::continued : EarlierFile::replace));
 }
@@ -147,9 +144,9 @@ BegunRun::~BegunRun()
 }
 
 void BegunRun::keep(const FillRequest& request, const LoadedMesh& mesh,
-                    const Simulation& simulation, const std::optional<CameraPath>& path) const
+                    const Simulation& simulation) const
 {
-    const RunFileWriter file(directory_ / kBegunFile, headOf(request, mesh, simulation, {}, path),
+    const RunFileWriter file(directory_ / kBegunFile, headOf(request, mesh, simulation, {}),
                              mesh.mesh, simulation.smallestRadius());
 }
 

@@ -38,8 +38,7 @@ namespace frostfill
 /// Begins the run file, or continues that of a run that is resumed. Throws Error cannotCreate or
 /// writeFailed.
 void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
-             const Simulation& simulation, const FramePlan& frames,
-             const std::optional<CameraPath>& path);
+             const Simulation& simulation, const FramePlan& frames);
 
 /// Keeps a run, from before its first step until its run file is there, in a file that goes with
 /// this object: a run that is killed meanwhile can begin again. Other files stay as they are.
@@ -52,8 +51,8 @@ public:
     BegunRun& operator=(const BegunRun&) = delete;
 
     /// Throws Error cannotCreate or writeFailed.
-    void keep(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
-              const std::optional<CameraPath>& path) const;
+    void keep(const FillRequest& request, const LoadedMesh& mesh,
+              const Simulation& simulation) const;
 
 private:
     std::filesystem::path directory_;

@@ -28,21 +28,6 @@ namespace frostfill
 namespace
 {
 
-/// The camera's path: the one asked for, or that of the run unless a turntable was asked for.
-std::optional<CameraPath> cameraPath(const RenderRequest& request, const RunHead& head,
-                                     const Scene& scene)
-{
-    if (!request.cameraPath.empty() && scene.camera.turntable)
-    {
-        throw Error(ErrorCode::usage,
-                    "--camera-path and --turntable both move the camera: omit one of them");
-    }
-    const std::string& text = !request.cameraPath.empty() || scene.camera.turntable
-                                  ? request.cameraPath
-                                  : head.cameraPath;
-    return text.empty() ? std::nullopt : std::optional(CameraPath::read(text));
-}
-
 /// The scene that is drawn. Says whether the request moves the camera, rather than the run.
 Scene sceneOf(const RenderRequest& request, const RunHead& head, bool& moves)
 {
@@ -50,12 +35,18 @@ Scene sceneOf(const RenderRequest& request, const RunHead& head, bool& moves)
     scene.frames.enabled = true;
     Scene still = scene;
     still.camera.turntable.reset();
+    still.frames.cameraPath.reset();
     if (request.change)
     {
         request.change(scene);
         request.change(still);
     }
-    moves = still.camera.turntable || !request.cameraPath.empty();
+    moves = still.camera.turntable || still.frames.cameraPath;
+    if (moves) // in place of how the run moves it
+    {
+        scene.camera.turntable = still.camera.turntable;
+        scene.frames.cameraPath = still.frames.cameraPath;
+    }
     validateScene(scene);
     requireBackgroundOf(request.video, scene);
     return scene;
@@ -132,15 +123,16 @@ std::size_t picturesBeside(const std::vector<std::size_t>& frames,
 }
 
 /// Throws Error usage for wishes that only one process can meet.
-void requireOneProcess(const RenderRequest& request)
+void requireOneProcess(const RenderRequest& request, const Scene& scene)
 {
     if (request.shard.count > 1 &&
-        (!request.video.empty() || request.contactSheet || request.overwrite))
+        (!request.video.empty() || scene.frames.contactSheet || request.overwrite))
     {
         throw Error(ErrorCode::usage,
                     "one part of the pictures makes no video and no contact sheet, and cannot "
-                    "replace pictures of other parts: omit --video, --contact-sheet and "
-                    "--overwrite; --gather makes the contact sheet of all");
+                    "replace pictures of other parts: omit --video, "
+                    "frames.contact_sheet and --overwrite; --gather makes the contact sheet of "
+                    "all");
     }
     if (request.gather && (!request.video.empty() || request.overwrite || request.shard.count > 1))
     {
@@ -242,15 +234,15 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
 RenderResult renderRun(const RenderRequest& request, const RenderObserver& observer)
 {
     const auto start = std::chrono::steady_clock::now();
-    requireOneProcess(request);
     const std::filesystem::path file = fileOfRun(request.run);
     RunFileReader reader(file);
     const RunHead head = readHead(reader.head(), file.string());
     requireFrames(reader, file);
     bool moves = false;
     const Scene scene = sceneOf(request, head, moves);
+    requireOneProcess(request, scene);
     const std::filesystem::path directory = directoryOf(request, file);
-    const std::optional<CameraPath> path = cameraPath(request, head, scene);
+    const std::optional<CameraPath> path = CameraPath::of(scene);
     KeptFrames frames(reader);
     // A run of one state is its turn.
     const std::size_t turn =
@@ -308,7 +300,7 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     {
         result.videoFailure = drawn.videoFailure;
         result.blank = drawn.blank;
-        if (request.contactSheet && result.missing.empty())
+        if (scene.frames.contactSheet && result.missing.empty())
         {
             writeContactSheet(scene, directory, painter);
         }

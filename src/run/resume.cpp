@@ -14,8 +14,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 #include <fstream>
+#include <iterator>
 #include <string_view>
 
 namespace frostfill
@@ -24,14 +24,15 @@ namespace
 {
 
 /// With these a run may be resumed differently: they change no bit.
-constexpr std::array<std::string_view, 4> kWithoutEffect = {"threads", "picture.static_layer",
-                                                            "picture.backend", "frames.keep_run"};
+constexpr std::string_view kWithoutEffect[] = {
+    "threads",         "picture.static_layer", "picture.backend",
+    "frames.keep_run", "frames.contact_sheet", "camera.path"};
 
 bool hasEffect(const Option& option, const Scene& scene)
 {
     return option.key.starts_with("judge.")
                ? showsUnbalance(scene)
-               : std::none_of(kWithoutEffect.begin(), kWithoutEffect.end(),
+               : std::none_of(std::begin(kWithoutEffect), std::end(kWithoutEffect),
                               [&](std::string_view key) { return &optionOf(key) == &option; });
 }
 
@@ -131,11 +132,10 @@ FillRequest resumeRequest(const std::filesystem::path& directory)
     const std::filesystem::path file = keptFile(directory);
     if (!isThere(file))
     {
-        throw Error(
-            ErrorCode::inputMissing,
-            fmt::format("{} holds no run to resume: {} is missing; a run with --keep-run on "
-                        "writes it once its mesh is read",
-                        directory.string(), kRunFile));
+        throw Error(ErrorCode::inputMissing,
+                    fmt::format("{} holds no run to resume: {} is missing; a run with --set "
+                                "frames.keep_run=true writes it once its mesh is read",
+                                directory.string(), kRunFile));
     }
     const RunHead head = readHead(RunFileReader(file).head(), file.string());
     refuseImported(head, directory);
@@ -143,8 +143,6 @@ FillRequest resumeRequest(const std::filesystem::path& directory)
     request.scene = head.scene;
     request.directory = directory;
     request.video = head.video;
-    request.cameraPath = head.cameraPath;
-    request.contactSheet = head.contactSheet;
     request.resume = true;
     return request;
 }

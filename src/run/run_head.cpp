@@ -93,8 +93,6 @@ std::string headText(const RunHead& head)
         json["lid_triangles"] = head.lidTriangles;
     }
     json["video"] = head.video;
-    json["camera_path"] = head.cameraPath;
-    json["contact_sheet"] = head.contactSheet;
     json["groups"] = head.colours.groups;
     json["fall_seconds"] = head.colours.fallSeconds;
     json["frame_interval"] = head.interval < kNever ? Json(head.interval) : Json();
@@ -129,8 +127,6 @@ RunHead readHead(const std::string& text, const std::string& nameForMessages)
         head.repairs = json.at("repairs").get<std::vector<std::string>>();
         head.lidTriangles = json.value("lid_triangles", std::size_t{0});
         head.video = json.at("video").get<std::string>();
-        head.cameraPath = json.at("camera_path").get<std::string>();
-        head.contactSheet = json.at("contact_sheet").get<bool>();
         head.colours = {json.at("groups").get<double>(), json.at("fall_seconds").get<double>()};
         const Json& interval = json.at("frame_interval");
         head.interval = interval.is_null() ? kNever : interval.get<double>();

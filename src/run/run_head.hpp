@@ -31,8 +31,6 @@ struct RunHead
     std::vector<std::string> repairs; ///< of the mesh
     std::size_t lidTriangles = 0;     ///< the last of the mesh
     std::string video;                ///< file, absolute; empty for none
-    std::string cameraPath;           ///< as given; empty for none
-    bool contactSheet = false;
     ColourFacts colours;
     double interval = 0;     ///< [s] simulated, between two frames
     std::size_t stride = 1;  ///< every stride-th frame is kept as a picture

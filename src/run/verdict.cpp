@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr const char* kBlank = "the pictures are blank: the camera does not see the object; check "
-                               "--target, --distance and --azimuth";
+                               "camera.target, camera.distance and --azimuth";
 constexpr const char* kLookAtMesh = "`frostfill mesh` tells whether the mesh crosses itself";
 
 std::string spheres(std::size_t count)
@@ -25,7 +25,7 @@ std::string spheres(std::size_t count)
 /// What may help where spheres have left the object.
 const char* helpInside(const Scene& scene)
 {
-    return scene.preset == Preset::paper ? "try a smaller --dt, or preset fast" : kLookAtMesh;
+    return scene.preset == Preset::paper ? "try a smaller motion.dt, or preset fast" : kLookAtMesh;
 }
 
 std::string describe(const StraySphere& stray)
@@ -35,12 +35,12 @@ std::string describe(const StraySphere& stray)
     if (stray.kind == StrayKind::tooFast)
     {
         what = "was over 10 times as fast as a fall through the object explains";
-        help = "try a smaller --dt or a lower --restitution";
+        help = "try a smaller motion.dt or a lower motion.restitution";
     }
     if (stray.kind == StrayKind::notFinite)
     {
         what = "had a position or velocity that is not finite";
-        help = "try a smaller --dt";
+        help = "try a smaller motion.dt";
     }
     return fmt::format(
         "the run was stopped because sphere {} {}, at ({:g} {:g} {:g}) after {:g} s; "
@@ -108,7 +108,7 @@ std::optional<std::string> findFaultOfFast(const Scene& scene, const FillResult&
                            "{}, another --radius, or --rest each",
                            unrestText(quality),
                            rest.friction == 0          ? "--friction 0.1"
-                           : rest.rollingFriction == 0 ? "--rolling-friction 0.05"
+                           : rest.rollingFriction == 0 ? "--set rest.rolling_friction=0.05"
                                                        : "more --friction");
     }
     if (const auto fault =
@@ -119,7 +119,7 @@ std::optional<std::string> findFaultOfFast(const Scene& scene, const FillResult&
     if (quality.maxOverlap > kFaultyOverlap)
     {
         return fmt::format("two spheres overlap by {:.2g} of a radius, where {:g} is allowed; try "
-                           "a smaller --dt or more --sweeps",
+                           "a smaller motion.dt or more motion.sweeps",
                            quality.maxOverlap, kFaultyOverlap);
     }
     if (quality.maxWallOverlap > kFaultyOverlap)
@@ -138,8 +138,8 @@ std::optional<std::string> findFaultOfFast(const Scene& scene, const FillResult&
                            quality.settling ? "another --seed or --radius"
                            : scene.motion.mode == Motion::descend
                                ? "--rest joint"
-                               : "--motion descend, a lower --restitution or a longer "
-                                 "--set-time-limit");
+                               : "--motion descend, a lower motion.restitution or a longer "
+                                 "freezing.set_time_limit");
     }
     return std::nullopt;
 }
@@ -156,7 +156,7 @@ std::optional<std::string> findFault(const Scene& scene, const FillResult& resul
     }
     if (quality.notFinite > 0)
     {
-        return fmt::format("{} ended at positions that are not finite; try a smaller --dt",
+        return fmt::format("{} ended at positions that are not finite; try a smaller motion.dt",
                            spheres(quality.notFinite));
     }
     if (result.overfull)

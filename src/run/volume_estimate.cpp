@@ -48,13 +48,14 @@ VolumeEstimate estimateVolume(const Scene& scene, const LoadedMesh& mesh,
     if (!scene.spheres.inlets.empty())
     {
         throw Error(ErrorCode::usage,
-                    "--estimate-volume needs an object that is filled everywhere: "
+                    "the estimate of a volume needs an object that is filled everywhere: "
                     "omit --inlet");
     }
     if (scene.spheres.sizes.curve || (scene.spheres.radius && !scene.spheres.radius->equal()))
     {
-        throw Error(ErrorCode::usage, "--estimate-volume needs one radius: the packing fraction is "
-                                      "known for equal spheres only");
+        throw Error(ErrorCode::usage,
+                    "the estimate of a volume needs one radius: the packing fraction is "
+                    "known for equal spheres only");
     }
     VolumeEstimate estimate;
     estimate.meshVolume = mesh.report.volume;

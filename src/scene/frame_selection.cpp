@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "scene/frame_selection.hpp"
 
+#include "base/read_number.hpp"
+
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <string>
 
@@ -22,17 +23,6 @@ std::string_view takePart(std::string_view& text, char separator)
     return part;
 }
 
-std::optional<std::size_t> wholeNumber(std::string_view text)
-{
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-    {
-        return std::nullopt;
-    }
-    return value;
-}
-
 } // namespace
 
 /// "7", "3:6", "8:" or "0:30:10".
@@ -43,12 +33,12 @@ std::optional<FrameSelection::Range> FrameSelection::rangeWithoutEnd(std::string
     {
         return std::nullopt;
     }
-    const auto start = wholeNumber(takePart(part, ':'));
+    const auto start = readNumber<std::size_t>(takePart(part, ':'));
     // "100:" continues to the end.
     const auto end = parts == 1     ? std::optional(kEndless)
                      : part.empty() ? std::optional(kEndless)
-                                    : wholeNumber(takePart(part, ':'));
-    const auto step = parts == 3 ? wholeNumber(part) : std::optional<std::size_t>(1);
+                                    : readNumber<std::size_t>(takePart(part, ':'));
+    const auto step = parts == 3 ? readNumber<std::size_t>(part) : std::optional<std::size_t>(1);
     if (!start || !end || !step || *start == kEndless)
     {
         return std::nullopt;
@@ -60,12 +50,13 @@ std::optional<FrameSelection::Range> FrameSelection::rangeWithoutEnd(std::string
 std::optional<FrameSelection::Range> FrameSelection::rangeWithLast(std::string_view part)
 {
     const std::size_t dots = part.find("..");
-    const auto start = wholeNumber(part.substr(0, dots));
+    const auto start = readNumber<std::size_t>(part.substr(0, dots));
     part.remove_prefix(dots + 2);
     const bool hasStep = part.find(':') != std::string_view::npos;
     const std::string_view lastText = takePart(part, ':');
-    const auto last = lastText.empty() ? std::optional(kEndless - 1) : wholeNumber(lastText);
-    const auto step = hasStep ? wholeNumber(part) : std::optional<std::size_t>(1);
+    const auto last =
+        lastText.empty() ? std::optional(kEndless - 1) : readNumber<std::size_t>(lastText);
+    const auto step = hasStep ? readNumber<std::size_t>(part) : std::optional<std::size_t>(1);
     if (!start || !last || !step || *last == kEndless)
     {
         return std::nullopt;

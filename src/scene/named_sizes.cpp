@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_number.hpp"
 #include "scene/read_sizes.hpp"
 
 #include <frostfill/error.hpp>
@@ -6,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -79,15 +79,13 @@ constexpr std::array<Named, 3> kNamed = {{{"lognormal", "lognormal:MEAN,SD", log
 
 double numberOf(std::string_view item, std::string_view whole, const char* form)
 {
-    double value = 0;
-    const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
-    if (error != std::errc{} || end != item.data() + item.size() || !std::isfinite(value) ||
-        value <= 0)
+    const auto value = readNumber<double>(item);
+    if (!value || !std::isfinite(*value) || *value <= 0)
     {
         refuse(whole, fmt::format("'{}' must be a number above 0, as in {} or {},LOW..HIGH", item,
                                   form, form));
     }
-    return value;
+    return *value;
 }
 
 /// The text up to the separator, which goes with it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/radius_distribution.hpp"
 
+#include "base/read_number.hpp"
 #include "scene/read_sizes.hpp"
 
 #include <frostfill/error.hpp>
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -49,16 +49,14 @@ std::vector<double> readFile(const std::string& file)
         {
             continue;
         }
-        double radius = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), radius);
-        if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(radius) ||
-            radius <= 0)
+        const auto radius = readNumber<double>(text);
+        if (!radius || !std::isfinite(*radius) || *radius <= 0)
         {
             throw Error(ErrorCode::badData,
                         fmt::format("{}, line {}: '{}' must be a radius, a number above 0", file,
                                     number, text));
         }
-        radii.push_back(radius);
+        radii.push_back(*radius);
     }
     if (radii.empty())
     {

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_sizes.hpp"
 
-#include "scene/size_header.hpp"
+#include "base/read_number.hpp"
 
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,48 @@ constexpr double kLargestSize = 1e12;   ///< [mesh unit]
 constexpr double kOfTheWhole = 0.002;
 constexpr double kPercent = 100;
 constexpr std::size_t kFewestSieves = 20; ///< at which a curve is looked at
+
+constexpr const char* kHeaderForm =
+    "a header names the columns, such as 'diameter,cumulative mass' or 'radius,share'";
+
+/// What the first line says of the columns.
+struct Header
+{
+    bool isDiameter = false;
+    bool isCumulative = false;
+    std::optional<SharesOf> by;
+    char separator = ',';
+};
+
+/// Without spaces and quotation marks around it.
+std::string_view trimmed(std::string_view text)
+{
+    constexpr const char* kSpaces = " \t\r\"";
+    const std::size_t first = text.find_first_not_of(kSpaces);
+    return first == std::string_view::npos
+               ? std::string_view{}
+               : text.substr(first, text.find_last_not_of(kSpaces) + 1 - first);
+}
+
+/// As a message has it: a file may hold anything.
+std::string shown(std::string_view text)
+{
+    constexpr std::size_t kMost = 60;
+    std::string some(text.substr(0, kMost));
+    std::replace_if(
+        some.begin(), some.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return some;
+}
+
+/// The words of a heading, in small letters.
+std::vector<std::string> wordsOf(std::string_view heading)
+{
+    std::string text(trimmed(heading));
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return c == '_' ? ' ' : std::tolower(c); });
+    std::istringstream in(text);
+    return {std::istream_iterator<std::string>(in), {}};
+}
 
 struct Row
 {
@@ -58,7 +102,7 @@ private:
 
     const std::string& file_;
     std::optional<SharesOf> by_;
-    SizeHeader header_;
+    Header header_;
     std::size_t line_ = 0;
     std::size_t headerLine_ = 0;
     std::vector<Row> rows_;
@@ -67,7 +111,48 @@ private:
 void SizeFile::readHeader(std::string_view text)
 {
     headerLine_ = line_;
-    header_ = readSizeHeader(text, [this](const std::string& what) { refuse(line_, what); });
+    header_.separator = text.find(';') != std::string_view::npos ? ';' : ',';
+    const auto columns = partsOf(text, header_.separator);
+    if (columns.size() != 2)
+    {
+        refuse(line_, fmt::format("'{}' does not name two columns; {}", shown(text), kHeaderForm));
+    }
+    const std::vector<std::string> sizes = wordsOf(columns[0]);
+    for (const std::string& word : sizes)
+    {
+        header_.isDiameter = header_.isDiameter || word == "diameter";
+        if (word != "radius" && word != "diameter")
+        {
+            refuse(line_, fmt::format("'{}' is not radius or diameter, in the unit of the mesh; {}",
+                                      shown(word), kHeaderForm));
+        }
+    }
+    bool hasShares = false;
+    for (const std::string& word : wordsOf(columns[1]))
+    {
+        const bool isCumulative = word == "cumulative" || word == "passing";
+        header_.isCumulative = header_.isCumulative || isCumulative;
+        hasShares = hasShares || isCumulative || word == "share";
+        header_.by = word == "number"   ? SharesOf::number
+                     : word == "mass"   ? SharesOf::mass
+                     : word == "volume" ? SharesOf::volume
+                                        : header_.by;
+        static constexpr std::string_view kWords[] = {"share", "cumulative", "passing", "number",
+                                                      "mass",  "volume",     "%",       "by"};
+        if (std::find(std::begin(kWords), std::end(kWords), word) == std::end(kWords))
+        {
+            refuse(line_, fmt::format("'{}' is not share, cumulative, passing, number, mass, "
+                                      "volume or %; {}",
+                                      shown(word), kHeaderForm));
+        }
+    }
+    if (sizes.empty() || !hasShares)
+    {
+        refuse(line_, fmt::format("column {}; {}",
+                                  sizes.empty() ? "1 must be radius or diameter"
+                                                : "2 must be share, cumulative or passing",
+                                  kHeaderForm));
+    }
     if (header_.by && by_ && (*header_.by == SharesOf::number) != (*by_ == SharesOf::number))
     {
         refuse(line_, "the header and --by do not agree on what the shares are shares of");
@@ -76,14 +161,13 @@ void SizeFile::readHeader(std::string_view text)
 
 double SizeFile::number(std::string_view text, const char* what) const
 {
-    double value = 0;
     text = trimmed(text);
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+    const auto value = readNumber<double>(text);
+    if (!value || !std::isfinite(*value))
     {
         refuse(line_, fmt::format("'{}' must be a {}, a number", shown(text), what));
     }
-    return value;
+    return *value;
 }
 
 void SizeFile::readRow(std::string_view text)
@@ -260,7 +344,7 @@ SizeCurve SizeFile::read()
     }
     if (headerLine_ == 0)
     {
-        throw Error(ErrorCode::badData, fmt::format("{} is empty: {}", file_, kSizeHeaderForm));
+        throw Error(ErrorCode::badData, fmt::format("{} is empty: {}", file_, kHeaderForm));
     }
     if (rows_.empty())
     {

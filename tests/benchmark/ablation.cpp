@@ -34,7 +34,7 @@ const std::vector<Variant>& variants()
         {"free flight simulated", [](Scene& scene) { scene.motion.mode = Motion::fall; }},
         {"no dynamics", [](Scene& scene) { scene.motion.mode = Motion::descend; }},
         {"half the time step", [](Scene& scene) { scene.motion.dt = *scene.motion.dt / 2; }},
-        {"sets freeze whole", [](Scene& scene) { scene.freezing.bySet = true; }},
+        {"sets freeze whole", [](Scene& scene) { scene.freezing.rule = FreezingRule::bySet; }},
         {"one sweep", [](Scene& scene) { scene.motion.sweeps = 1; }},
         {"sets of 200",
          [](Scene& scene)

@@ -84,10 +84,10 @@ TEST_F(CheckCommand, SaysFromWhichFrictionAPileStands)
     writeFile(folder_ / "pile.csv",
               fmt::format("x,y,z,radius\n-0.2,-0.8,0,0.2\n0.2,-0.8,0,0.2\n0,{},0,0.2\n",
                           -0.8 + 0.2 * std::sqrt(3.0)));
-    const std::string command = "check pile.csv --mesh cube --judge-unbalance 0.001";
+    const std::string command = "check pile.csv --mesh cube --set judge.unbalance=0.001";
     const auto judge = [&](const std::string& friction)
     {
-        const Answer answer = run(command + " --json --judge-friction " + friction);
+        const Answer answer = run(command + " --json --set judge.friction=" + friction);
         EXPECT_EQ(answer.code, 0) << answer.errors;
         return nlohmann::json::parse(answer.output)["equilibrium"];
     };
@@ -101,16 +101,16 @@ TEST_F(CheckCommand, SaysFromWhichFrictionAPileStands)
     EXPECT_EQ(judge("0.28")["unbalanced"], 0);
     EXPECT_FALSE(nlohmann::json::parse(run("check pile.csv --mesh cube --json").output)
                      .contains("equilibrium"));
-    const Answer table = run(command + " --judge-friction 0.25");
+    const Answer table = run(command + " --set judge.friction=0.25");
     EXPECT_NE(table.output.find("unbalanced, friction 0.25"), std::string::npos) << table.output;
     EXPECT_NE(table.output.find("stands from a friction of    0.2"), std::string::npos)
         << table.output;
-    EXPECT_EQ(run(command + " --judge-friction 0.28 --max-unbalanced 0").code, 0);
-    const Answer more = run(command + " --judge-friction 0.25 --max-unbalanced 0");
+    EXPECT_EQ(run(command + " --set judge.friction=0.28 --max-unbalanced 0").code, 0);
+    const Answer more = run(command + " --set judge.friction=0.25 --max-unbalanced 0");
     EXPECT_EQ(more.code, 2);
     EXPECT_NE(more.errors.find("unbalanced spheres"), std::string::npos) << more.errors;
     writeFile(folder_ / "air.csv", "x,y,z,radius\n0,0,0,0.2\n");
-    const Answer air = run("check air.csv --mesh cube --judge-friction 1");
+    const Answer air = run("check air.csv --mesh cube --set judge.friction=1");
     EXPECT_NE(air.output.find("none up to 8"), std::string::npos) << air.output;
 }
 
@@ -125,19 +125,19 @@ TEST_F(CheckCommand, JudgesARunUnderTheFrictionWithWhichItHasSettled)
     EXPECT_EQ(error["settling"]["rounds"], 1);
     EXPECT_EQ(error["settling"]["settled"], true);
     EXPECT_LT(error["settling"]["largest_unbalance"], 0.1);
-    const Answer answer = run("check settled --json --judge-friction 0.5 --max-unbalanced 0");
+    const Answer answer = run("check settled --json --set judge.friction=0.5 --max-unbalanced 0");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     const auto again = nlohmann::json::parse(run("check settled --json").output);
     EXPECT_EQ(again["unsupported_frozen"], 0);
     EXPECT_EQ(error["unsupported_frozen"], 0);
     for (const auto& [wrong, says] :
          {std::pair("--friction 0.3", "(--rest) joint"),
-          {"--wall-friction 0.1", "(--rest) joint"},
+          {"--set rest.wall_friction=0.1", "(--rest) joint"},
           {"--rest joint --friction -1", "--friction is '-1'"},
           {"--rest together", "--rest is 'together'"},
-          {"--rest joint --tilt 20", "omit --tilt"},
+          {"--rest joint --set move.tilt=20", "omit move.tilt"},
           {"--rest joint --preset paper", "use the preset fast"},
-          {"--rest joint --rolling-friction much", "--rolling-friction is 'much'"}})
+          {"--rest joint --set rest.rolling_friction=much", "rest.rolling_friction is 'much'"}})
     {
         const Answer refused = run(std::string("fill cube --count 5 --out no ") + wrong);
         EXPECT_EQ(refused.code, 64) << wrong;
@@ -166,7 +166,7 @@ TEST_F(CheckCommand, AnalyseFindsTheBulkOfWhichFillTells)
 {
     const Answer filled =
         run("fill cube --radius 0.1 --count 550 --motion granular --rest joint "
-            "--friction 0.3 --fraction 0.62 --frames none --keep-run on --out run");
+            "--friction 0.3 --fraction 0.62 --frames none --set frames.keep_run=true --out run");
     ASSERT_EQ(filled.code, 0) << filled.errors;
     const char* words = "bulk: 4 r from the walls and from the surface";
     EXPECT_NE(filled.output.find(words), std::string::npos) << filled.output;

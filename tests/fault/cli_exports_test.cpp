@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands import and fill --export, as their user meets them.
+// The commands import and export, as their user meets them.
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -47,45 +47,15 @@ protected:
     test::TemporaryFolder folder_;
 };
 
-const std::string kTwoPictures = "fill cube --count 6 --size 64x48 --max-frames 2 --duration 0.3 ";
-
-TEST_F(Exports, OfAFillAreWhatTheCommandExportWrites)
-{
-    const Answer filled = run(kTwoPictures + "--export csv,xyz --out run");
-    EXPECT_EQ(filled.code, 0) << filled.errors;
-    EXPECT_NE(filled.output.find("spheres.xyz"), std::string::npos) << filled.output;
-    ASSERT_EQ(run("export run --to csv,xyz --out again --quiet").code, 0);
-    for (const auto& file : std::filesystem::directory_iterator(folder_ / "again"))
-    {
-        const std::string name = file.path().filename().string();
-        EXPECT_EQ(test::readFile(file.path()), test::readFile(folder_ / "run/export" / name));
-    }
-    const Answer one = run("export run --to xyz --frames 1 --out one");
-    EXPECT_NE(one.output.find(": 1 frame,"), std::string::npos) << one.output;
-    // JSON has standard output for itself, and the run before is replaced with its exports.
-    const Answer json = run(kTwoPictures + "--export csv,xyz --out run --overwrite --json");
-    EXPECT_EQ(json.code, 0) << json.errors;
-    EXPECT_EQ(json.output, test::readFile(folder_ / "run/summary.json"));
-    // A run that has ended is exported without being run again.
-    ASSERT_EQ(run("fill --resume run --export ply").code, 0);
-    EXPECT_TRUE(isThere("run/export"));
-}
-
-TEST_F(Exports, AreRefusedBeforeTheRunThatCouldNotBeExported)
-{
-    const Answer unkept = run(kTwoPictures + "--export csv --keep-run off --out run");
-    EXPECT_EQ(unkept.code, 64);
-    EXPECT_NE(unkept.errors.find("--keep-run"), std::string::npos) << unkept.errors;
-    EXPECT_EQ(run("fill cube --count 6 --frames none --export csv --out run").code, 64);
-    const Answer unknown = run(kTwoPictures + "--export csw --out run");
-    EXPECT_EQ(unknown.code, 64);
-    EXPECT_NE(unknown.errors.find("did you mean csv"), std::string::npos) << unknown.errors;
-    EXPECT_FALSE(isThere("run"));
-}
+const std::string kTwoPictures =
+    "fill cube --count 6 --size 64x48 --set frames.limit=2 --duration 0.3 ";
 
 TEST_F(Exports, AreImportedRenderedAndExportedAgain)
 {
-    ASSERT_EQ(run(kTwoPictures + "--export lammps-dump --out run --quiet").code, 0);
+    ASSERT_EQ(run(kTwoPictures + "--out run --quiet").code, 0);
+    ASSERT_EQ(run("export run --to lammps-dump --quiet").code, 0);
+    const Answer one = run("export run --to xyz --frames 1 --out one");
+    EXPECT_NE(one.output.find(": 1 frame,"), std::string::npos) << one.output;
     const Answer imported = run("import run/export/spheres.dump --mesh run/mesh.ply --out again");
     EXPECT_EQ(imported.code, 0) << imported.errors;
     EXPECT_NE(imported.output.find("6 spheres at the end"), std::string::npos) << imported.output;

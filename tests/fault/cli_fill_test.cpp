@@ -17,7 +17,7 @@ using test::writeFile;
 
 // A run of a moment: two sets of four spheres.
 const std::string kEightInTwos =
-    "fill cube --radius 0.3 --count 8 --group-size 2 --groups-per-set 2 ";
+    "fill cube --radius 0.3 --count 8 --set spheres.group_size=2 --set spheres.groups_per_set=2 ";
 
 class FillCommand : public ::testing::Test
 {
@@ -31,7 +31,7 @@ protected:
 
 TEST_F(FillCommand, WritesEveryFileIntoItsDirectoryByDefault)
 {
-    const Answer answer = run(kEightInTwos + "--size 64x48 --max-frames 4");
+    const Answer answer = run(kEightInTwos + "--size 64x48 --set frames.limit=4");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     for (const char* file : {"spheres.csv", "polygons.csv", "sets.csv", "summary.json", "mesh.ply",
                              "frames/frame_00000.png"})
@@ -68,16 +68,22 @@ TEST_F(FillCommand, SaysWhichGivenOptionsThePresetDoesNotUse)
         }
         return lines;
     };
-    EXPECT_EQ(linesOfWarning(run(none + "--integrator explicit --freeze-every 3 --threads 1")),
-              "warning: the preset fast does not use --integrator, --freeze-every; the preset "
-              "paper does\n");
-    EXPECT_EQ(linesOfWarning(run(none + "--preset paper --no-freeze-by-set --sweeps 4")),
-              "warning: the preset paper does not use --sweeps, --freeze-by-set; the preset fast "
-              "does\n");
-    EXPECT_EQ(linesOfWarning(run(none + "--preset paper --integrator explicit --motion fall")), "");
-    EXPECT_EQ(linesOfWarning(run(none + "--quiet --sphere-search grid")), "");
+    EXPECT_EQ(
+        linesOfWarning(run(
+            none + "--set motion.integrator=explicit --set freezing.every_sets=3 --set threads=1")),
+        "warning: the preset fast does not use motion.integrator, freezing.every_sets; the preset "
+        "paper does\n");
+    EXPECT_EQ(
+        linesOfWarning(
+            run(none + "--preset paper --set freezing.rule=one-by-one --set motion.sweeps=4")),
+        "warning: the preset paper does not use motion.sweeps, freezing.rule; the preset fast "
+        "does\n");
+    EXPECT_EQ(
+        linesOfWarning(run(none + "--preset paper --set motion.integrator=explicit --motion fall")),
+        "");
+    EXPECT_EQ(linesOfWarning(run(none + "--quiet --set search.spheres=grid")), "");
     // The summary of a run has the settings of both presets.
-    EXPECT_EQ(linesOfWarning(run("fill --scene output/cube/summary.json --out b")), "");
+    EXPECT_EQ(linesOfWarning(run("fill output/cube/summary.json --out b")), "");
 }
 
 TEST_F(FillCommand, PrintsOneJsonDocumentOnStandardOutput)
@@ -95,13 +101,13 @@ TEST_F(FillCommand, PrintsOneJsonDocumentOnStandardOutput)
 TEST_F(FillCommand, RepeatsARunFromItsSummaryOrASceneFile)
 {
     ASSERT_EQ(run(kEightInTwos + "--seed 7 --frames none --quiet --out a").code, 0);
-    ASSERT_EQ(run("fill --scene a/summary.json --quiet --out b").code, 0);
+    ASSERT_EQ(run("fill a/summary.json --quiet --out b").code, 0);
     EXPECT_EQ(readFile(folder_ / "a/spheres.csv"), readFile(folder_ / "b/spheres.csv"));
 
     writeFile(folder_ / "c.toml", "seed = 7\n[object]\nmesh = \"cube\"\n[spheres]\nradius = 0.3\n"
                                   "count = 8\ngroup_size = 2\ngroups_per_set = 2\n"
                                   "[frames]\nwhich = \"none\"\n");
-    ASSERT_EQ(run("fill --scene c.toml --quiet --out c").code, 0);
+    ASSERT_EQ(run("fill c.toml --quiet --out c").code, 0);
     EXPECT_EQ(readFile(folder_ / "a/spheres.csv"), readFile(folder_ / "c/spheres.csv"));
 }
 
@@ -112,22 +118,9 @@ TEST_F(FillCommand, FillsUntilFullWhenOnlyARadiusIsGiven)
     EXPECT_EQ(nlohmann::json::parse(answer.output)["outcome"], "full");
 }
 
-TEST_F(FillCommand, TakesAPorosityAsOneMinusTheFraction)
-{
-    const std::string bed = "fill cube --radius 0.1 --count 200 --motion skip --rest joint "
-                            "--friction 0.4 --frames none --quiet --overwrite --out bed ";
-    const Answer answer = run(bed + "--porosity 0.375 --json");
-    EXPECT_EQ(nlohmann::json::parse(answer.output)["scene"]["rest"]["fraction"], 0.625);
-    const Answer wrong = run(bed + "--porosity 0.9");
-    EXPECT_EQ(wrong.code, 64);
-    EXPECT_NE(wrong.errors.find("--fraction (1 minus --porosity) is '0.1'"), std::string::npos)
-        << wrong.errors;
-    EXPECT_EQ(run(bed + "--porosity 0.375 --fraction 0.625").code, 64);
-}
-
 TEST_F(FillCommand, GrainsAreNotLeftInTheNarrowsOfAnAnkle)
 {
-    const Answer answer = run("fill human --count 120 --seed 2 --motion granular --rest joint "
+    const Answer answer = run("fill human --count 120 --seed 2 --motion granular "
                               "--friction 0.3 --frames none --quiet");
     EXPECT_EQ(answer.code, 0) << answer.errors;
 }
@@ -141,11 +134,11 @@ TEST_F(FillCommand, FillsThroughInletsUntilTheHeapReachesThem)
     EXPECT_EQ(summary["outcome"], "inlets reached");
     EXPECT_EQ(summary["scene"]["spheres"]["inlets"], "0.3,0.2,0,0.25;-0.3,0.2,0,0.25");
     EXPECT_TRUE(summary["error"]["volume_estimate"].is_null());
-    const Answer again = run("fill --scene heap/summary.json --out again");
+    const Answer again = run("fill heap/summary.json --out again");
     EXPECT_EQ(again.code, 0) << again.errors;
     EXPECT_NE(again.output.find("the heap has reached the inlets"), std::string::npos)
         << again.output;
-    EXPECT_EQ(again.output.find("--until-full"), std::string::npos) << again.output;
+    EXPECT_EQ(again.output.find("until_full"), std::string::npos) << again.output;
     EXPECT_EQ(readFile(folder_ / "heap/spheres.csv"), readFile(folder_ / "again/spheres.csv"));
     for (const auto& [value, says] :
          std::vector<std::pair<std::string, std::string>>{{"0,0,0", "X,Y,Z,RADIUS"},
@@ -191,7 +184,7 @@ TEST_F(FillCommand, TellsThatTheDiskIsFull)
 TEST_F(FillCommand, BlankPicturesFailWith70AndKeepTheFiles)
 {
     const Answer answer =
-        run(kEightInTwos + "--size 64x48 --max-frames 2 --target 1e6,0,0 --quiet");
+        run(kEightInTwos + "--size 64x48 --set frames.limit=2 --set camera.target=1e6,0,0 --quiet");
     EXPECT_EQ(answer.code, 70);
     EXPECT_NE(answer.errors.find("blank"), std::string::npos) << answer.errors;
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/spheres.csv"));
@@ -213,11 +206,12 @@ TEST_F(FillCommand, StopsWith75WhenAskedToAndWritesEverything)
 
 TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
 {
-    const Answer answer =
-        run(kEightInTwos + "--size 64x48 --max-frames 3 --hold 0.2 --turntable 1 "
-                           "--passes all --contact-sheet --background none "
-                           "--style dark --color-by speed --cutaway wedge:0,90 "
-                           "--ambient-occlusion --supersample 2 --backend osmesa");
+    const Answer answer = run(
+        kEightInTwos + "--size 64x48 --set frames.limit=3 --set frames.hold=0.2 --turntable 1 "
+                       "--set frames.passes=all --set frames.contact_sheet=true --background none "
+                       "--style dark --color-by speed --cutaway wedge:0,90 "
+                       "--set picture.ambient_occlusion=true --set picture.supersample=2 --set "
+                       "picture.backend=osmesa");
     ASSERT_EQ(answer.code, 0) << answer.errors;
     const auto frames = [&](const char* folder)
     {
@@ -235,7 +229,7 @@ TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
         EXPECT_EQ(frames(folder), frames("frames")) << folder;
     }
     EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
-    EXPECT_EQ(run(kEightInTwos + "--size 64x48 --max-frames 2 --overwrite").code, 0);
+    EXPECT_EQ(run(kEightInTwos + "--size 64x48 --set frames.limit=2 --overwrite").code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/depth"));
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
 }
@@ -247,7 +241,7 @@ TEST_F(FillCommand, LosesNoFrameWhenTheVideoFails)
     std::filesystem::permissions(folder_ / "bin/ffmpeg", std::filesystem::perms::owner_all);
     const std::string path = std::getenv("PATH");
     ::setenv("PATH", ((folder_ / "bin").string() + ":" + path).c_str(), 1);
-    const Answer broken = run(kEightInTwos + "--size 64x48 --max-frames 4 --video film.mp4");
+    const Answer broken = run(kEightInTwos + "--size 64x48 --set frames.limit=4 --video film.mp4");
     ::setenv("PATH", path.c_str(), 1);
     EXPECT_EQ(broken.code, 74) << broken.errors;
     EXPECT_NE(broken.errors.find("broken"), std::string::npos) << broken.errors;
@@ -257,7 +251,7 @@ TEST_F(FillCommand, LosesNoFrameWhenTheVideoFails)
 
     EXPECT_EQ(run(kEightInTwos + "--frames none --video film.mp4 --overwrite").code, 64);
     EXPECT_EQ(run(kEightInTwos + "--video film.avi --overwrite").code, 64);
-    EXPECT_EQ(run(kEightInTwos + "--backend vulkan --overwrite").code, 64);
+    EXPECT_EQ(run(kEightInTwos + "--set picture.backend=vulkan --overwrite").code, 64);
 }
 
 } // namespace

@@ -5,10 +5,8 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -22,8 +20,8 @@ using test::filesIn;
 using test::pictureText;
 using test::readFile;
 
-const std::string kSmall =
-    "fill torus --count 30 --size 64x48 --samples 1 --duration 1 --threads 1 --quiet ";
+const std::string kSmall = "fill torus --count 30 --size 64x48 --set picture.samples=1 --duration "
+                           "1 --set threads=1 --quiet ";
 
 class FrameNumbers : public ::testing::Test
 {
@@ -71,7 +69,8 @@ protected:
 
 TEST_F(FrameNumbers, OfFilesTextAndPageAreAllTaken)
 {
-    ASSERT_EQ(run(kSmall + "--view --out run").code, 0);
+    ASSERT_EQ(run(kSmall + "--out run").code, 0);
+    ASSERT_EQ(run("view run --quiet").code, 0);
     const std::size_t last = lastOnPage("run");
     EXPECT_EQ(*names("run").rbegin(), fmt::format("frame_{:05}.png", last));
     expectEachIsDrawnAgain("run", "", {0, 7, last - 1, last});
@@ -91,8 +90,10 @@ TEST_F(FrameNumbers, OfFilesTextAndPageAreAllTaken)
 
 TEST_F(FrameNumbers, OfHeldThinnedAndTurnedFramesAreTakenToo)
 {
-    ASSERT_EQ(
-        run(kSmall + "--hold 0.3 --max-frames 7 --passes depth --contact-sheet --out run").code, 0);
+    ASSERT_EQ(run(kSmall + "--set frames.hold=0.3 --set frames.limit=7 --set frames.passes=depth "
+                           "--set frames.contact_sheet=true --out run")
+                  .code,
+              0);
     const std::set<std::string> pictures = names("run");
     EXPECT_LE(pictures.size(), 7U);
     std::vector<std::size_t> numbers;
@@ -108,19 +109,19 @@ TEST_F(FrameNumbers, OfHeldThinnedAndTurnedFramesAreTakenToo)
     ASSERT_EQ(run(kSmall + "--frames last --turntable 0.4 --out turn").code, 0);
     EXPECT_EQ(names("turn").size(), 12U);
     expectEachIsDrawnAgain("turn", "", {0, 1, 11});
-    ASSERT_EQ(
-        run("render run --frames last --hold 0 --max-frames 0 --turntable 0.4 --quiet --out round")
-            .code,
-        0);
+    ASSERT_EQ(run("render run --frames last --set frames.hold=0 --set frames.limit=0 --turntable "
+                  "0.4 --quiet --out round")
+                  .code,
+              0);
     const auto round = test::pictures(folder_ / "round");
     ASSERT_EQ(round.size(), 12U);
     const std::size_t first = std::stoul(pictureText(round[0], "Frame"));
     for (const std::size_t number : {first, first + 7})
     {
         const std::string name = fmt::format("frames/frame_{:05}.png", number);
-        const Answer one = run(fmt::format(
-            "render run --frames {} --hold 0 --turntable 0.4 --quiet --overwrite --out one",
-            number));
+        const Answer one = run(fmt::format("render run --frames {} --set frames.hold=0 --turntable "
+                                           "0.4 --quiet --overwrite --out one",
+                                           number));
         EXPECT_EQ(one.code, 0) << one.errors;
         EXPECT_TRUE(readFile(folder_ / "one" / name) == readFile(folder_ / "round" / name));
     }
@@ -138,7 +139,8 @@ TEST_F(FrameNumbers, LetTwoRangesShareAFolder)
 
 TEST_F(FrameNumbers, BeyondTheLastAreAnError)
 {
-    ASSERT_EQ(run(kSmall + "--view --out run").code, 0);
+    ASSERT_EQ(run(kSmall + "--out run").code, 0);
+    ASSERT_EQ(run("view run --quiet").code, 0);
     const std::size_t last = lastOnPage("run");
     for (const std::string& frames :
          {std::to_string(last + 1), fmt::format("{}..{}", last + 1, last + 9), std::string("5000")})
@@ -169,38 +171,6 @@ TEST_F(FrameNumbers, OfTheLastIsOnePictureUnlessTheCommandTurnsTheObject)
     EXPECT_EQ(names("turn").size(), 15U);
 }
 
-TEST_F(FrameNumbers, OfProgressAreThoseThatAreSelected)
-{
-    ASSERT_EQ(run(kSmall + "--out run").code, 0);
-    const auto drawing = [](const Answer& answer)
-    {
-        std::vector<nlohmann::json> lines;
-        std::istringstream text(answer.errors);
-        for (std::string line; std::getline(text, line);)
-        {
-            const auto json = nlohmann::json::parse(line, nullptr, false);
-            if (json.is_object() && json["stage"] == "drawing")
-            {
-                lines.push_back(json);
-            }
-        }
-        return lines;
-    };
-    const auto five = drawing(run("render run --frames 10..14 --json-progress 2 --out five"));
-    ASSERT_FALSE(five.empty());
-    EXPECT_EQ(five.front()["total"], 5);
-    EXPECT_EQ(five.front()["done"], 1);
-    const auto turn =
-        drawing(run("render run --frames last --turntable 0.4 --json-progress 2 --out turn"));
-    ASSERT_FALSE(turn.empty());
-    EXPECT_EQ(turn.front()["total"], 12);
-    const auto fill =
-        drawing(run("fill torus --count 30 --size 64x48 --frames last --turntable 0.4 "
-                    "--json-progress 2 --out other"));
-    ASSERT_FALSE(fill.empty());
-    EXPECT_EQ(fill.front()["total"], 12);
-}
-
 // Nothing is seen before the first sphere appears.
 TEST_F(FrameNumbers, BeforeTheFirstSphereShowNoBlankPictures)
 {
@@ -209,7 +179,9 @@ TEST_F(FrameNumbers, BeforeTheFirstSphereShowNoBlankPictures)
     const Answer answer = run(early + "--frames 0..3 --out early");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     EXPECT_EQ(names("early").size(), 4U);
-    const Answer blank = run(early + "--target 90,0,0 --distance 3 --frames 0..3,last --out blank");
+    const Answer blank =
+        run(early +
+            "--set camera.target=90,0,0 --set camera.distance=3 --frames 0..3,last --out blank");
     EXPECT_EQ(blank.code, 70) << blank.errors;
     EXPECT_NE(blank.errors.find("blank"), std::string::npos) << blank.errors;
 }

@@ -19,7 +19,8 @@ namespace
 using test::Answer;
 using test::readFile;
 
-const std::string kEightSpheres = "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 ";
+const std::string kEightSpheres =
+    "fill cube --radius 0.3 --count 8 --set spheres.group_size=2 --size 64x48 ";
 
 // A shell's words that wait until a run has made its directory, just before it locks it.
 std::string waitFor(const std::string& directory)
@@ -29,7 +30,7 @@ std::string waitFor(const std::string& directory)
 
 // Takes far longer than any test waits.
 const std::string kLongWithoutPictures =
-    "fill cube --count 200000 --frames none --quiet --threads 1 ";
+    "fill cube --count 200000 --frames none --quiet --set threads=1 ";
 
 class KeepsRuns : public ::testing::Test
 {
@@ -43,17 +44,17 @@ protected:
 
 TEST_F(KeepsRuns, ARunThatCannotBeginLeavesTheOldOneAsItIs)
 {
-    ASSERT_EQ(run(kEightSpheres + "--out keep --max-frames 2").code, 0);
+    ASSERT_EQ(run(kEightSpheres + "--out keep --set frames.limit=2").code, 0);
     const std::string before = readFile(folder_ / "keep/summary.json");
     const std::string picture = readFile(folder_ / "keep/frames/frame_00000.png");
     ASSERT_FALSE(picture.empty());
     const std::string again = kEightSpheres + "--out keep --overwrite ";
-    EXPECT_EQ(run(again + "--samples 64").code, 64);
-    EXPECT_EQ(run(again + "--size 16384x16384 --supersample 8").code, 64);
+    EXPECT_EQ(run(again + "--set picture.samples=64").code, 64);
+    EXPECT_EQ(run(again + "--size 16384x16384 --set picture.supersample=8").code, 64);
     EXPECT_EQ(run(again + "--video /nonexistent/a.mp4").code, 73);
     EXPECT_EQ(readFile(folder_ / "keep/summary.json"), before);
     EXPECT_EQ(readFile(folder_ / "keep/frames/frame_00000.png"), picture);
-    EXPECT_EQ(run(again + "--max-frames 2 --seed 2").code, 0);
+    EXPECT_EQ(run(again + "--set frames.limit=2 --seed 2").code, 0);
     EXPECT_NE(readFile(folder_ / "keep/summary.json"), before);
 }
 

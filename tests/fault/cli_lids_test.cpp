@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Open and broken meshes on the command line: --lid, --wrap, --unite.
+// Open and broken meshes on the command line: --lid, --wrap, object.unite.
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -83,7 +83,7 @@ TEST_F(OpenMeshes, FillWithALidAndTheSummaryRepeatsIt)
     EXPECT_EQ(first["scene"]["object"]["lid"], true);
     EXPECT_EQ(first["scene"]["object"]["wrap"], nullptr);
     EXPECT_NEAR(first["error"]["volume_mesh"], 8, 1e-12);
-    ASSERT_EQ(run("fill --scene a/summary.json --out b --quiet").code, 0);
+    ASSERT_EQ(run("fill a/summary.json --out b --quiet").code, 0);
     const auto second = nlohmann::json::parse(readFile(folder_ / "b/summary.json"));
     EXPECT_EQ(first["state_hash"], second["state_hash"]);
 }
@@ -93,20 +93,22 @@ TEST_F(OpenMeshes, FillByASceneThatAsksForALid)
     writeFile(folder_ / "scene.toml", "[object]\nmesh = \"tub.obj\"\nlid = true\nwrap = \"none\"\n"
                                       "unite = false\n[spheres]\ncount = 5\n"
                                       "[frames]\nwhich = \"none\"\n");
-    EXPECT_EQ(run("fill --scene scene.toml --out a --quiet").code, 0);
+    EXPECT_EQ(run("fill scene.toml --out a --quiet").code, 0);
 }
 
 TEST_F(OpenMeshes, NeedAProgramForASkinOrAUnion)
 {
-    expectRefused("fill tub.obj --wrap --count 5 --frames none", 69, "-DFROSTFILL_WITH_CGAL=ON");
-    expectRefused("fill cubes.obj --unite --count 5 --frames none", 69, "FROSTFILL_WRAP");
-    expectRefused("fps tub.obj --wrap 0.2 --no-render --quiet", 69, "frostfill-wrap");
+    expectRefused("fill tub.obj --wrap auto --count 5 --frames none", 69,
+                  "-DFROSTFILL_WITH_CGAL=ON");
+    expectRefused("fill cubes.obj --set object.unite=true --count 5 --frames none", 69,
+                  "FROSTFILL_WRAP");
+    expectRefused("fps tub.obj --set object.wrap=0.2 --no-render --quiet", 69, "frostfill-wrap");
 }
 
 TEST_F(OpenMeshes, AlphaMayBeLeftOutBeforeAnotherArgument)
 {
-    expectRefused("fill --wrap tub.obj --count 5 --frames none", 69, "'tub.obj'");
-    expectRefused("fill tub.obj --wrap --lid --frames none", 69, "'tub.obj'");
+    expectRefused("fill --wrap auto tub.obj --count 5 --frames none", 69, "'tub.obj'");
+    expectRefused("fill tub.obj --wrap auto --lid --frames none", 69, "'tub.obj'");
     expectRefused("fill tub.obj --wrap -1", 64,
                   "--wrap is '-1', but it must be a number from 0 to");
 }
@@ -117,13 +119,15 @@ TEST_F(OpenMeshes, TheCommandMeshTellsWhatEachOptionWouldDo)
     EXPECT_EQ(open.code, 65);
     EXPECT_NE(open.output.find("with --lid         volume 8, area 24\n"), std::string::npos)
         << open.output;
-    EXPECT_NE(open.output.find("with --wrap        the program frostfill-wrap is missing"),
+    EXPECT_NE(open.output.find(
+                  "with --wrap auto                   the program frostfill-wrap is missing"),
               std::string::npos)
         << open.output;
 
     const Answer crossing = run("mesh cubes.obj");
     EXPECT_EQ(crossing.code, 0) << crossing.errors;
-    EXPECT_NE(crossing.output.find("obstacles, which --unite removes"), std::string::npos);
+    EXPECT_NE(crossing.output.find("obstacles, which --set object.unite=true removes"),
+              std::string::npos);
     EXPECT_NE(crossing.output.find("with --lid         changes nothing"), std::string::npos)
         << crossing.output;
     EXPECT_EQ(crossing.output.find("missing"), std::string::npos) << "it can be filled as it is";
@@ -235,7 +239,7 @@ TEST_F(OpenMeshes, AStopWhileASkinIsMadeEndsBothProgramsAtOnce)
     writeFile(folder_ / "wrap", "#!/bin/sh\necho $$ >pid\nexec sleep 60\n");
     fs::permissions(folder_ / "wrap", fs::perms::owner_all);
     const Answer answer = test::runProgram(
-        "fill tub.obj --wrap --frames none --out a & process=$!; until test -s pid; "
+        "fill tub.obj --wrap auto --frames none --out a & process=$!; until test -s pid; "
         "do sleep 0.05; done; kill -TERM $process; wait $process; code=$?; sleep 0.3; "
         "case $(cut -d' ' -f3 /proc/$(cat pid)/stat 2>&-) in ''|Z) ;; *) code=1 ;; esac; "
         "exit $code",
@@ -251,8 +255,8 @@ TEST_F(OpenMeshes, AUnionFillsWithoutWallsInside)
 {
 #ifdef FROSTFILL_WRAP_PROGRAM
     const Answer answer =
-        test::runProgram("fill cubes.obj --unite --count 20 --frames none --out a", folder_.path(),
-                         "FROSTFILL_WRAP='" FROSTFILL_WRAP_PROGRAM "'");
+        test::runProgram("fill cubes.obj --set object.unite=true --count 20 --frames none --out a",
+                         folder_.path(), "FROSTFILL_WRAP='" FROSTFILL_WRAP_PROGRAM "'");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     const auto summary = nlohmann::json::parse(readFile(folder_ / "a/summary.json"));
     EXPECT_NEAR(summary["error"]["volume_mesh"], 1.875, 1e-12);

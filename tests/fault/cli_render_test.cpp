@@ -56,26 +56,50 @@ TEST_F(RenderCommand, TakesEveryOptionOfPicturesAndNoneOfTheRun)
 {
     const std::string help = run("render --help").output;
     for (const char* option :
-         {"--frames",    "--fps",           "--max-frames",  "--hold",        "--passes",
-          "--size",      "--samples",       "--supersample", "--style",       "--color-by",
-          "--cutaway",   "--legend",        "--shell",       "--azimuth",     "--zoom",
-          "--target",    "--turntable",     "--video",       "--camera-path", "--contact-sheet",
-          "--overwrite", "--skip-existing", "--json",        "--quiet"})
+         {"--frames", "--size", "--style", "--color-by", "--cutaway", "--no-legend", "--no-shell",
+          "--azimuth", "--zoom", "--turntable", "--video", "--set", "--overwrite",
+          "--skip-existing", "--json", "--quiet"})
     {
         EXPECT_NE(help.find(option), std::string::npos) << option;
     }
-    for (const char* option : {"--count", "--radius", "--duration", "--slow-motion", "--seed"})
+    for (const char* option : {"--count", "--radius", "--duration", "--seed"})
     {
         EXPECT_EQ(help.find(option), std::string::npos) << option;
     }
-    const Answer answer =
-        run("render run --frames 2..4,last --size 80x60 --style dark --color-by speed --passes all "
-            "--supersample 2 --cutaway plane:1,0,0 --hold 0.1 --contact-sheet --out other");
+    const std::string all = run("render --help-all").output;
+    for (const char* key : {"frames.fps", "frames.limit", "picture.samples", "camera.path"})
+    {
+        EXPECT_NE(all.find(key), std::string::npos) << key;
+    }
+    for (const char* key : {"frames.slow_motion", "spheres.count", "motion.dt"})
+    {
+        EXPECT_EQ(all.find(key), std::string::npos) << key;
+    }
+    const Answer answer = run("render run --frames 2..4,last --size 80x60 --style dark --color-by "
+                              "speed --set frames.passes=all "
+                              "--set picture.supersample=2 --cutaway plane:1,0,0 --set "
+                              "frames.hold=0.1 --set frames.contact_sheet=true --out other");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     EXPECT_FALSE(picture("other", 4).empty());
     EXPECT_EQ(test::filesIn(folder_ / "other/frames").size(), 6U);
     EXPECT_TRUE(std::filesystem::exists(folder_ / "other/contact_sheet.png"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "other/depth/frame_00002.png"));
+}
+
+TEST_F(RenderCommand, MakesOnePictureOfTheLastFrameWhereAPngIsNamed)
+{
+    const Answer answer = run("render run --out cover.png");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_NE(answer.errors.find("implies --frames last"), std::string::npos) << answer.errors;
+    ASSERT_EQ(run("render run --frames last --out last").code, 0);
+    const auto last = test::pictures(folder_ / "last");
+    ASSERT_EQ(last.size(), 1U);
+    EXPECT_EQ(readFile(folder_ / "cover.png"), readFile(last[0]));
+    EXPECT_EQ(run("render run --frames 2 --out cover.png").code, 73) << "it is there already";
+    const Answer second = run("render run --frames 2 --out cover.png --overwrite");
+    EXPECT_EQ(second.code, 0) << second.errors;
+    EXPECT_EQ(readFile(folder_ / "cover.png"), picture("run", 2));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / ".cover.png.frames"));
 }
 
 TEST_F(RenderCommand, RefusesInASentenceWhatItCannotDraw)
@@ -101,10 +125,15 @@ TEST_F(RenderCommand, RefusesInASentenceWhatItCannotDraw)
         {"render run --out run --overwrite", 64, "the directory of the run itself"},
         {"render run --frames none --out new", 64, "nothing to draw"},
         {"render run --frames 900..950 --out new", 64, "leaves no frame"},
-        {"render run --samples 64 --out new", 64, "--samples"},
+        {"render run --set picture.samples=64 --out new", 64, "picture.samples is '64'"},
+        {"render run --set spheres.count=9 --out new", 64, "does not use the key spheres.count"},
+        {"render run --out new.html", 64, "frostfill view run --out new.html"},
+        {"render run --out new.png --frames 2..3", 64, "one picture"},
+        {"render run --out new.png --turntable 2", 64, "one picture"},
+        {"render run --out new.png --shard 1/2", 64, "give a folder"},
         {"render run --count 9 --out new", 64, "--count"},
         {"render run --overwrite --skip-existing --out there", 64, "omit one"},
-        {"render run --turntable 2 --camera-path 0:1,2 --out new", 64, "omit one"},
+        {"render run --turntable 2 --set camera.path=0:1,2 --out new", 64, "omit one"},
     };
     for (const Case& each : cases)
     {

@@ -234,10 +234,11 @@ TEST_F(Resume, BeginsAgainAfterAKillBeforeTheFirstFrame)
 TEST_F(Resume, AddsWhatIsAskedForToARunThatWasStoppedOrHasEnded)
 {
     const std::string small = "fill cube --radius 0.3 --count 8 --size 64x48 --duration 0.3 ";
-    const std::string more = " --quiet --contact-sheet --camera-path '0:30,20 1:60,20' --view";
+    const std::string more =
+        " --quiet --set frames.contact_sheet=true --set 'camera.path=0:30,20 1:60,20'";
     ASSERT_EQ(run(small + more + " --out whole").code, 0);
     whole_ = filesOf(folder_ / "whole");
-    EXPECT_TRUE(whole_.contains("view.html") && whole_.contains("contact_sheet.png"));
+    EXPECT_TRUE(whole_.contains("contact_sheet.png"));
     for (const bool hasEnded : {true, false})
     {
         ASSERT_EQ(run(small + "--overwrite --out killed").code, 0);
@@ -250,8 +251,6 @@ TEST_F(Resume, AddsWhatIsAskedForToARunThatWasStoppedOrHasEnded)
         expectTheSame(hasEnded ? "ended" : "stopped");
     }
     ASSERT_EQ(run(small + "--overwrite --out killed").code, 0);
-    EXPECT_EQ(run("fill --resume killed --view").code, 0);
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "killed/view.html"));
     EXPECT_EQ(run("fill --resume killed --video film.mp4", "PATH=/nowhere").code, 73)
         << "a video is asked for, and there is no ffmpeg";
 }
@@ -260,7 +259,7 @@ TEST_F(Resume, IsRefusedInASentenceWhereItCannotBe)
 {
     const std::string small = "fill cube --radius 0.3 --count 8 --size 64x48 --duration 0.3 ";
     ASSERT_EQ(run(small + "--out a").code, 0);
-    ASSERT_EQ(run(small + "--out b --keep-run off").code, 0);
+    ASSERT_EQ(run(small + "--out b --set frames.keep_run=false").code, 0);
     const std::string before = readFile(folder_ / "b/summary.json");
     struct Case
     {
@@ -270,7 +269,7 @@ TEST_F(Resume, IsRefusedInASentenceWhereItCannotBe)
     };
     const std::vector<Case> cases = {
         {"fill --resume nowhere", 66, "holds no run to resume"},
-        {"fill --resume b", 66, "--keep-run"},
+        {"fill --resume b", 66, "frames.keep_run=true"},
         {small + "--resume b", 73, "--overwrite"},
         {"fill --resume a --count 9", 64, "spheres.count = 8, not 9"},
         {small + "--seed 2 --resume a", 64, "seed = 1, not 2"},

@@ -44,39 +44,6 @@ protected:
     test::TemporaryFolder folder_;
 };
 
-/// The lines of progress; each has to be JSON.
-std::vector<json> progressOf(const std::string& text)
-{
-    std::vector<json> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-    {
-        if (line.starts_with("{"))
-        {
-            lines.push_back(json::parse(line));
-        }
-    }
-    return lines;
-}
-
-/// Each line but the last says how far its stage is.
-void expectProgress(const std::vector<json>& lines, const char* stage, int exitCode)
-{
-    ASSERT_GE(lines.size(), 2U);
-    bool seen = false;
-    for (std::size_t i = 0; i + 1 < lines.size(); ++i)
-    {
-        EXPECT_LE(lines[i].at("done").get<double>(), lines[i].at("total").get<double>());
-        EXPECT_TRUE(lines[i].at("eta_s").is_null() || lines[i].at("eta_s") >= 0);
-        EXPECT_TRUE(lines[i].at("unit").is_string());
-        seen = seen || lines[i].at("stage") == stage;
-    }
-    EXPECT_TRUE(seen) << stage;
-    EXPECT_EQ(lines.back().at("stage"), "end");
-    EXPECT_EQ(lines.back().at("exit_code"), exitCode);
-    EXPECT_EQ(lines.back().at("result"), exitCode == 0 ? "done" : "failed");
-}
-
 TEST_F(SweepCommand, DoesAllRunsThenNoneAndGathersATable)
 {
     const Answer first = run("sweep sweep.toml");
@@ -133,8 +100,8 @@ TEST_F(SweepCommand, SaysWhatIsWrongBeforeAnythingIsWritten)
                                                   {"sweep sweep.toml --shard 9/8", 64},
                                                   {"sweep sweep.toml --shard slurm", 64},
                                                   {"sweep sweep.toml --allow-incomplete", 64},
-                                                  {"sweep sweep.toml --json-progress 77", 64},
-                                                  {"plan sweep.toml --size 64x48", 64}})
+                                                  {"sweep sweep.toml --set spheres.radius=1", 64},
+                                                  {"sweep sweep.toml --set seed=x", 64}})
     {
         const Answer answer = run(arguments, "SLURM_ARRAY_TASK_ID=");
         EXPECT_EQ(answer.code, code) << arguments << answer.errors;
@@ -162,51 +129,6 @@ TEST_F(SweepCommand, DryRunsCheckEverythingAndWriteNothing)
     EXPECT_EQ(render.code, 0) << render.errors;
     EXPECT_FALSE(isThere("run/render"));
     EXPECT_EQ(run("render run --frames 5000..6000 --dry-run").code, 64);
-}
-
-TEST_F(SweepCommand, ProgressForProgramsIsLinesOfJsonWithTheExitCodeAtTheEnd)
-{
-    expectProgress(progressOf(run("fill torus --count 300 --frames none --out one "
-                                  "--json-progress 2 --quiet")
-                                  .errors),
-                   "simulating", 0);
-    EXPECT_EQ(run("sweep sweep.toml --quiet --json-progress 3 3>progress").code, 0);
-    expectProgress(progressOf(readFile(folder_ / "progress")), "sweeping", 0);
-    EXPECT_EQ(run("fill cube --count 8 --size 64x48 --duration 0.5 --quiet --out run").code, 0);
-    expectProgress(progressOf(run("render run --json-progress 2 --quiet").errors), "drawing", 0);
-    const std::vector<json> failed =
-        progressOf(run("fill nowhere.stl --json-progress 2 --quiet").errors);
-    expectProgress(failed, "loading", 66);
-    EXPECT_NE(failed.back().at("message").get<std::string>().find("nowhere.stl"),
-              std::string::npos);
-}
-
-TEST_F(SweepCommand, PlansHaveTheFiguresThatSlurmAsksFor)
-{
-    const Answer sweep = run("plan sweep.toml");
-    EXPECT_EQ(sweep.code, 0) << sweep.errors;
-    EXPECT_TRUE(std::regex_search(
-        sweep.output, std::regex("8 runs; about [0-9.]+ s on one core, [0-9.]+ MB of files")))
-        << sweep.output;
-    EXPECT_TRUE(std::regex_search(
-        sweep.output,
-        std::regex("--array=0-3 --cpus-per-task=1 --time=00:0[0-9]:00 --mem=[0-9]+M")))
-        << sweep.output;
-    // Twice what is said, and two minutes, in whole minutes.
-    std::smatch asked;
-    ASSERT_TRUE(std::regex_search(
-        sweep.output, asked,
-        std::regex("--array=0-0 .*--time=00:([0-9]+):00 --mem=.*# ([0-9.]+) s a task at most")))
-        << sweep.output;
-    EXPECT_EQ(std::stod(asked[1]), std::ceil((2 * std::stod(asked[2]) + 120) / 60)) << sweep.output;
-    EXPECT_FALSE(isThere("output"));
-    EXPECT_EQ(run("fill cube --count 8 --size 64x48 --duration 0.5 --quiet --out run").code, 0);
-    const Answer render = run("plan run --tasks 5");
-    EXPECT_EQ(render.code, 0) << render.errors;
-    EXPECT_TRUE(std::regex_search(render.output, std::regex("[0-9]+ pictures; about")))
-        << render.output;
-    EXPECT_NE(render.output.find("--array=0-4 "), std::string::npos) << render.output;
-    EXPECT_FALSE(isThere("run/render"));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The command view, and fill --view, as their user meets them.
+// The command view, and pages of fill, as their user meets them.
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -41,7 +41,7 @@ TEST_F(ViewCommand, WritesAPageBesideTheRunAndSaysHowLargeItIs)
     const Answer again = run("view run/run.frost");
     EXPECT_EQ(again.code, 73);
     EXPECT_NE(again.errors.find("--overwrite"), std::string::npos) << again.errors;
-    EXPECT_EQ(run("view run --output other.html --quiet").output, "");
+    EXPECT_EQ(run("view run --out other.html --quiet").output, "");
     EXPECT_EQ(readFile(folder_ / "other.html"), readFile(folder_ / "run/view.html"));
 }
 
@@ -63,33 +63,26 @@ TEST_F(ViewCommand, RefusesWhatItCannotRead)
     EXPECT_EQ(run("view").code, 64);
     EXPECT_EQ(run("view text.frost --max-size 0").code, 64);
     ASSERT_EQ(run(kRun + "--quiet").code, 0);
-    EXPECT_EQ(run("view run --output missing/page.html").code, 73);
+    EXPECT_EQ(run("view run --out missing/page.html").code, 73);
 }
 
-TEST_F(ViewCommand, IsDoneByFillToo)
+TEST_F(ViewCommand, IsDoneByFillWhereAPageIsNamed)
 {
-    const Answer answer = run(kRun + "--view");
+    const std::string fill = "fill cube --radius 0.3 --count 8 --size 64x48 --set frames.limit=2 ";
+    const Answer answer = run(fill + "--out page.html");
     EXPECT_EQ(answer.code, 0) << answer.errors;
-    EXPECT_NE(answer.output.find("run/view.html: "), std::string::npos) << answer.output;
-    const std::string page = readFile(folder_ / "run/view.html");
+    EXPECT_NE(answer.errors.find("the run itself goes to output/cube"), std::string::npos)
+        << answer.errors;
+    EXPECT_NE(answer.output.find("page.html: "), std::string::npos) << answer.output;
+    const std::string page = readFile(folder_ / "page.html");
     EXPECT_NE(page.find("\"outcome\":\"count reached\""), std::string::npos);
-    // The page belongs to the run: it goes with it.
-    EXPECT_EQ(run(kRun + "--quiet").code, 73);
-    EXPECT_EQ(run(kRun + "--quiet --overwrite").code, 0);
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "run/view.html"));
-    EXPECT_EQ(run(kRun + "--quiet --overwrite --frames none --keep-run on --view").code, 0);
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "run/view.html"));
-}
-
-TEST_F(ViewCommand, NeedsARunThatIsKept)
-{
-    for (const char* how : {"--keep-run off", "--frames none"})
-    {
-        const Answer answer = run(kRun + "--view " + how);
-        EXPECT_EQ(answer.code, 64);
-        EXPECT_NE(answer.errors.find("--keep-run on"), std::string::npos) << answer.errors;
-        EXPECT_FALSE(std::filesystem::exists(folder_ / "run"));
-    }
+    EXPECT_EQ(run(fill + "--out page.html").code, 73);
+    EXPECT_EQ(run(fill + "--frames none --overwrite --out page.html").code, 64);
+    EXPECT_EQ(readFile(folder_ / "page.html"), page);
+    const Answer kept = run(fill + "--frames none --overwrite --set frames.keep_run=true --quiet "
+                                   "--out page.html");
+    EXPECT_EQ(kept.code, 0) << kept.errors;
+    EXPECT_EQ(kept.output + kept.errors, "");
 }
 
 } // namespace

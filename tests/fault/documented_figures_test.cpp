@@ -33,7 +33,7 @@ const std::filesystem::path kRepository = testing_support::sourceFolder();
 nlohmann::json standingOf(const std::filesystem::path& folder, const std::string& friction)
 {
     const Answer answer =
-        test::runProgram("check pile --json --judge-friction " + friction, folder);
+        test::runProgram("check pile --json --set judge.friction=" + friction, folder);
     EXPECT_EQ(answer.code, 0) << answer.errors;
     return nlohmann::json::parse(answer.output)["equilibrium"];
 }
@@ -105,7 +105,7 @@ TEST(DocumentedFigures, AHeapLiesAsSteepAsItsTableSays)
     std::smatch command;
     ASSERT_TRUE(std::regex_search(page, command,
                                   std::regex("frostfill (fill cube [^\n]*--motion granular "
-                                             "[^\n]*--rolling-friction 0\\.3)")));
+                                             "[^\n]*--set rest.rolling_friction=0\\.3)")));
     const test::TemporaryFolder folder;
     ASSERT_EQ(test::runProgram(std::string(command[1]) + " --frames none --quiet --out heap",
                                folder.path())

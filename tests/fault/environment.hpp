@@ -12,11 +12,11 @@
 namespace frostfill::test
 {
 
-inline const std::string kSmall =
-    "fill cube --radius 0.3 --count 8 --group-size 2 --size 64x48 --max-frames 4 --threads 1 ";
+inline const std::string kSmall = "fill cube --radius 0.3 --count 8 --set spheres.group_size=2 "
+                                  "--size 64x48 --set frames.limit=4 --set threads=1 ";
 // Takes far longer than any test waits.
 inline const std::string kLong =
-    "fill cube --count 200000 --size 64x48 --max-frames 4 --threads 1 ";
+    "fill cube --count 200000 --size 64x48 --set frames.limit=4 --set threads=1 ";
 
 class Environment : public ::testing::Test
 {

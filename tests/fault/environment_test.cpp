@@ -100,8 +100,9 @@ TEST_F(Environment, WithoutAnyOpenGlEveryPictureIsDrawnToTheSameBytes)
     int number = 0;
     for (const char* style : {"clean", "paper", "dark", "studio"})
     {
-        for (const char* more : {"", "--cutaway plane:0,0,1 --passes all",
-                                 "--ambient-occlusion --supersample 2 --color-by contacts"})
+        for (const char* more : {"", "--cutaway plane:0,0,1 --set frames.passes=all",
+                                 "--set picture.ambient_occlusion=true --set picture.supersample=2 "
+                                 "--color-by contacts"})
         {
             const std::string options =
                 fmt::format("render run --frames last --quiet --style {} {} --out ", style, more);
@@ -135,7 +136,8 @@ TEST_F(Environment, WithoutTheOpenGlThatWasAskedForItSaysWhatToInstall)
     {
         GTEST_SKIP() << "a sanitizer has to be the first library that is loaded";
     }
-    const Answer answer = run(kSmall + "--backend osmesa --out a", shim("FAULT_LIBRARY=libOSMesa"));
+    const Answer answer =
+        run(kSmall + "--set picture.backend=osmesa --out a", shim("FAULT_LIBRARY=libOSMesa"));
     EXPECT_EQ(answer.code, 69);
     EXPECT_NE(answer.errors.find("apt install libosmesa6"), std::string::npos) << answer.errors;
     const Answer doctor = run("doctor", shim("FAULT_LIBRARY=libOSMesa"));
@@ -160,7 +162,7 @@ TEST_F(Environment, WithTooLittleMemoryForOpenGlItSaysSoAndDoesNotHang)
     for (const int mebibytes : {150, 300, 500, 900})
     {
         const Answer answer =
-            run(kSmall + fmt::format("--backend osmesa --quiet --out {}", mebibytes),
+            run(kSmall + fmt::format("--set picture.backend=osmesa --quiet --out {}", mebibytes),
                 fmt::format("ulimit -v {}; timeout 100", 1024 * mebibytes));
         EXPECT_TRUE(answer.code == 71 || answer.code == 0)
             << mebibytes << " MiB: " << answer.code << answer.errors;
@@ -187,12 +189,14 @@ TEST_F(Environment, WithTooLittleMemoryForThreadsItNamesTheLimitOnMemory)
 
 TEST_F(Environment, WithoutAPlaceForCompiledShadersItDrawsTheSamePictures)
 {
-    ASSERT_EQ(
-        run(kSmall + "--backend osmesa --quiet --out none", "XDG_CACHE_HOME=/dev/null/x").code, 0);
+    ASSERT_EQ(run(kSmall + "--set picture.backend=osmesa --quiet --out none",
+                  "XDG_CACHE_HOME=/dev/null/x")
+                  .code,
+              0);
     const std::string kept = fmt::format("XDG_CACHE_HOME={}", (folder_ / "cache").string());
-    ASSERT_EQ(run(kSmall + "--backend osmesa --quiet --out first", kept).code, 0);
+    ASSERT_EQ(run(kSmall + "--set picture.backend=osmesa --quiet --out first", kept).code, 0);
     EXPECT_TRUE(std::filesystem::is_directory(folder_ / "cache/frostfill"));
-    ASSERT_EQ(run(kSmall + "--backend osmesa --quiet --out second", kept).code, 0);
+    ASSERT_EQ(run(kSmall + "--set picture.backend=osmesa --quiet --out second", kept).code, 0);
     for (const char* directory : {"first", "second"})
     {
         EXPECT_TRUE(readFile(folder_ / "none/frames/frame_00000.png") ==
@@ -303,7 +307,8 @@ TEST_F(Environment, EveryFrameTakesAsManyHandlesThreadsAndBytesAsTheOneBefore)
 #endif
     // Handles, threads and kilobytes after some 100 frames and near the end of some 1,500.
     const Answer answer =
-        run("fill cube --count 400 --size 160x90 --max-frames 0 --slow-motion 60 --threads 1 "
+        run("fill cube --count 400 --size 160x90 --set frames.limit=0 --set frames.slow_motion=60 "
+            "--set threads=1 "
             "--quiet --out a & process=$!; for frame in 00100 01400; do until test -e "
             "a/frames/frame_$frame.png; do kill -0 $process || exit 9; sleep 0.02; done; "
             "ls /proc/$process/fd | wc -l; ls /proc/$process/task | wc -l; "

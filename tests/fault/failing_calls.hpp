@@ -20,7 +20,7 @@ namespace frostfill::test
 
 // Three spheres and a few small pictures.
 inline const std::string kTiny =
-    "fill cube --radius 0.45 --count 3 --size 32x24 --threads 1 --quiet ";
+    "fill cube --radius 0.45 --count 3 --size 32x24 --set threads=1 --quiet ";
 
 /// Which call fails, and how; see fault_shim.c.
 struct Failure

@@ -65,7 +65,7 @@ TEST_F(FailingCalls, OfEveryKindLeaveNoCorruptFile) // with the label `long`
 
 TEST_F(FailingCalls, WhatAKillLeavesTheNextRunClearsAway)
 {
-    const std::string arguments = kTiny + "--max-frames 6 --overwrite --out faulty";
+    const std::string arguments = kTiny + "--set frames.limit=6 --overwrite --out faulty";
     const auto unfinished = [&]
     {
         std::size_t count = 0;
@@ -126,7 +126,7 @@ TEST_F(FailingCalls, OfAFullDiskAreToldWithWhatIsNeeded)
         GTEST_SKIP() << "only root may mount a small file system";
     }
     const Answer answer =
-        run("fill cube --count 20 --size 640x480 --threads 1 --quiet --out small/run");
+        run("fill cube --count 20 --size 640x480 --set threads=1 --quiet --out small/run");
     const auto empty = [&]
     {
         std::size_t files = 0;

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The part of fault_shim.c that lets an allocation fail. The program has an operator new of its
-// own, which a preloaded library cannot replace; what that calls, it can.
+// The part of fault_shim.c that lets an allocation of the program fail.
 #include <link.h>
 
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 
 extern "C" int isDue(const char* call);
 extern "C" std::atomic<int> faultInMain;
-extern "C" void* __libc_malloc(std::size_t size); // of glibc
-extern "C" void* __libc_memalign(std::size_t alignment, std::size_t size);
 
 namespace
 {
@@ -62,14 +60,45 @@ bool fails(const void* caller)
     return kWatched && isInProgram(caller) && isDue("new") != 0;
 }
 
-} // namespace
-
-extern "C" void* malloc(std::size_t size)
+void* orThrow(void* memory)
 {
-    return fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+    if (memory == nullptr)
+    {
+        throw std::bad_alloc();
+    }
+    return memory;
 }
 
-extern "C" void* aligned_alloc(std::size_t alignment, std::size_t size)
+} // namespace
+
+void* operator new(std::size_t size)
 {
-    return fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
+    return orThrow(fails(__builtin_return_address(0)) ? nullptr : std::malloc(size > 0 ? size : 1));
+}
+void* operator new[](std::size_t size)
+{
+    return orThrow(fails(__builtin_return_address(0)) ? nullptr : std::malloc(size > 0 ? size : 1));
+}
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+    const auto step = static_cast<std::size_t>(alignment);
+    return orThrow(fails(__builtin_return_address(0))
+                       ? nullptr
+                       : std::aligned_alloc(step, (size + step - 1) / step * step));
+}
+void operator delete(void* memory) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t /*size*/) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept
+{
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept
+{
+    std::free(memory);
 }

@@ -48,13 +48,16 @@ TEST_F(Environment, SizesThatCannotBeDrawnAreRefusedAndTheSmallestIsDrawn)
         EXPECT_EQ(answer.code, 64) << size << answer.errors;
     }
     EXPECT_FALSE(fs::exists(folder_ / "a"));
-    EXPECT_EQ(run(kLong + "--quiet --size 16384x16384 --supersample 8 --out a", "timeout 60").code,
-              64);
+    EXPECT_EQ(
+        run(kLong + "--quiet --size 16384x16384 --set picture.supersample=8 --out a", "timeout 60")
+            .code,
+        64);
     for (const char* size : {"1x1", "1x50", "50x1"})
     {
-        const Answer answer = run("fill cube --count 4 --max-frames 2 --threads 1 --quiet "
-                                  "--overwrite --out b --size " +
-                                  std::string(size));
+        const Answer answer =
+            run("fill cube --count 4 --set frames.limit=2 --set threads=1 --quiet "
+                "--overwrite --out b --size " +
+                std::string(size));
         EXPECT_EQ(answer.code, 0) << size << answer.errors;
     }
 }
@@ -73,7 +76,8 @@ TEST_F(Environment, VideosWithoutABackgroundAreRefusedWhereTheirFormatHasNoAlpha
 
 TEST_F(Environment, PicturesThatShowNothingAreTold)
 {
-    for (const char* view : {"--target 1e6,0,0", "--azimuth 0 --target 0,0,50 --distance 1"})
+    for (const char* view : {"--set camera.target=1e6,0,0",
+                             "--azimuth 0 --set camera.target=0,0,50 --set camera.distance=1"})
     {
         const Answer answer = run(kSmall + "--quiet --overwrite --out a " + view);
         EXPECT_EQ(answer.code, 70) << view;
@@ -81,41 +85,41 @@ TEST_F(Environment, PicturesThatShowNothingAreTold)
         EXPECT_TRUE(fs::exists(folder_ / "a/spheres.csv")) << view;
     }
     // Inside the object the spheres are seen from between them.
-    EXPECT_EQ(run(kSmall + "--quiet --overwrite --out a --distance 0.01").code, 0);
+    EXPECT_EQ(run(kSmall + "--quiet --overwrite --out a --set camera.distance=0.01").code, 0);
 }
 
 TEST_F(Environment, ValuesBeyondTheirRangeAreRefusedBeforeTheSimulation)
 {
-    for (const char* option : {"--slow-motion 1e9",
-                               "--slow-motion 1e-300",
+    for (const char* option : {"--set frames.slow_motion=1e9",
+                               "--set frames.slow_motion=1e-300",
                                "--fps 1e-300",
                                "--fps 1e9",
                                "--radius 1e-300",
                                "--radius 1e-300..1",
                                "--radius 1e300",
-                               "--gravity 1e300",
-                               "--gravity 1e-300",
-                               "--dt 1e-300",
+                               "--set motion.gravity=1e300",
+                               "--set motion.gravity=1e-300",
+                               "--set motion.dt=1e-300",
                                "--zoom 1e-300",
                                "--zoom 1e9",
-                               "--distance 1e300",
-                               "--target 1e300,0,0",
+                               "--set camera.distance=1e300",
+                               "--set camera.target=1e300,0,0",
                                "--turntable 1e-300",
-                               "--tilt 1e9",
-                               "--turn 1e9",
-                               "--shake 1e300",
-                               "--move-for 1e300",
-                               "--move-for 1e-300",
-                               "--shake-frequency 1e300",
-                               "--set-time-limit 1e300",
-                               "--rest-window 1e300",
-                               "--threads 100000",
-                               "--samples 64",
+                               "--set move.tilt=1e9",
+                               "--set move.turn=1e9",
+                               "--set move.shake=1e300",
+                               "--set move.duration=1e300",
+                               "--set move.duration=1e-300",
+                               "--set move.frequency=1e300",
+                               "--set freezing.set_time_limit=1e300",
+                               "--set freezing.rest_window=1e300",
+                               "--set threads=100000",
+                               "--set picture.samples=64",
                                "--units 1e-300",
-                               "--hold 1e9",
-                               "--sweeps 1000000",
-                               "--group-size 1e9",
-                               "--discard-epsilon 1e300",
+                               "--set frames.hold=1e9",
+                               "--set motion.sweeps=1000000",
+                               "--set spheres.group_size=1e9",
+                               "--set discard.epsilon=1e300",
                                "--cutaway plane:1e300,0,0"})
     {
         const Answer answer = run(kLong + "--out a " + option, "timeout 60");
@@ -123,7 +127,7 @@ TEST_F(Environment, ValuesBeyondTheirRangeAreRefusedBeforeTheSimulation)
         EXPECT_EQ(std::count(answer.errors.begin(), answer.errors.end(), '\n'), 1) << option;
     }
     writeFile(folder_ / "scene.toml", "[object]\nmesh = \"cube\"\n[frames]\nslow_motion = 1e9\n");
-    const Answer file = run("fill --scene scene.toml --out a", "timeout 60");
+    const Answer file = run("fill scene.toml --out a", "timeout 60");
     EXPECT_EQ(file.code, 65) << file.errors;
     EXPECT_NE(file.errors.find("scene.toml, line 4"), std::string::npos) << file.errors;
     EXPECT_FALSE(fs::exists(folder_ / "a"));

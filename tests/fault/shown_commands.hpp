@@ -31,11 +31,11 @@ inline std::vector<std::string> commandsOf(const std::string& text)
     return commands;
 }
 
-/// The names in what `frostfill --help` prints: after "Subcommands:" a command a line, and what
+/// The names in what `frostfill --help` prints: after "Commands:" a command a line, and what
 /// goes on from it is indented further.
 inline std::vector<std::string> commandsOfHelp(const std::string& help)
 {
-    std::istringstream lines(help.substr(help.find("Subcommands:")));
+    std::istringstream lines(help.substr(help.find("Commands:")));
     std::string line;
     std::getline(lines, line);
     std::vector<std::string> commands;
@@ -80,19 +80,17 @@ inline std::string madeSmall(std::string arguments)
     {
         return arguments;
     }
-    if (name == "render" || name == "plan")
+    if (name == "render")
     {
         without("size");
-        without("supersample");
-        const bool drawsAll = name == "render" && arguments.find("--shard") == std::string::npos &&
+        without("set picture.supersample");
+        const bool drawsAll = arguments.find("--shard") == std::string::npos &&
                               arguments.find("--gather") == std::string::npos;
-        const bool isRun = arguments.find(".toml") == std::string::npos;
-        small = isRun ? " --size 64x48" : "";
-        return arguments + small + (drawsAll ? " --overwrite" : "");
+        return arguments + " --size 64x48" + (drawsAll ? " --overwrite" : "");
     }
     if (name == "fill")
     {
-        for (const char* option : {"count", "size", "max-frames"})
+        for (const char* option : {"count", "size", "set frames.limit"})
         {
             without(option);
         }
@@ -101,7 +99,7 @@ inline std::string madeSmall(std::string arguments)
             without("radius");
         }
         const bool draws = arguments.find("--frames none") == std::string::npos;
-        small = draws ? " --count 6 --size 64x48 --max-frames 2" : " --count 6";
+        small = draws ? " --count 6 --size 64x48 --set frames.limit=2" : " --count 6";
         if (arguments.find("--overwrite") == std::string::npos &&
             arguments.find("--resume") == std::string::npos)
         {

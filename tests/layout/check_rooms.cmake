@@ -26,7 +26,7 @@ room(mesh/files base mesh mesh/repair)
 room(bulk base geometry mesh mesh/interior)
 room(view)
 room(snapshot)
-room(scene ${mesh} view)
+room(scene base ${mesh} view)
 room(scene/options base scene ${mesh} view snapshot)
 
 room(simulation mesh scene snapshot)
@@ -70,7 +70,7 @@ room(render ${seen} render/framing render/context render/passes render/overlay r
      render/layer render/raster/lanes render/raster/spheres render/raster)
 
 room(run_file base ${mesh} snapshot)
-room(packing ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
+room(packing base ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
 room(analysis base geometry ${mesh} bulk scene snapshot simulation simulation/quality packing)
 room(output base mesh snapshot scene scene/options image)
 room(shell mesh mesh/interior geometry snapshot)

@@ -53,7 +53,7 @@ Scene randomScene(std::uint64_t number)
     scene.spheres.groupsPerSet = static_cast<std::uint32_t>(1 + draws.below(2));
     scene.motion.restitution = kRestitutions.at(draws.below(kRestitutions.size()));
     scene.motion.mode = draws.chance(0.5) ? Motion::fall : Motion::skip;
-    scene.freezing.bySet = draws.chance(0.2);
+    scene.freezing.rule = draws.chance(0.2) ? FreezingRule::bySet : FreezingRule::oneByOne;
     const std::size_t kind = draws.below(4);
     scene.move.tilt = kind == 0 || kind == 3 ? draws.between(-180, 180) : 0;
     scene.move.turn = kind == 1 || kind == 3 ? draws.between(-360, 360) : 0;

@@ -96,7 +96,7 @@ TEST(Stress, CrowdsInNarrowTubesEndCarried)
             scene.spheres.radius = 1;
             scene.spheres.count = 300;
             scene.spheres.groupSize = 1000;
-            scene.freezing.bySet = bySet;
+            scene.freezing.rule = bySet ? FreezingRule::bySet : FreezingRule::oneByOne;
             QualityReport quality;
             scene.threads = 1;
             const std::string hash = runToItsEnd(scene, mesh, quality);

@@ -33,7 +33,7 @@ class Arrays(unittest.TestCase):
 
     def test_tell_how_spheres_have_turned_when_asked(self):
         simulation = frostfill.Simulation("torus", count=30, rest="joint", friction=0.3,
-                                          orientation=True)
+                                          rest_orientation=True)
         while simulation.step():
             pass
         snapshot = simulation.snapshot()
@@ -106,7 +106,7 @@ class Arrays(unittest.TestCase):
         self.assertTrue(any(spheres != triangles for spheres, triangles in seen))
 
     def test_of_a_moved_object_bring_its_points_to_where_an_export_has_them(self):
-        run = frostfill.fill("torus", count=20, tilt=30, turn=40, duration=1, fps=10)
+        run = frostfill.fill("torus", count=20, move_tilt=30, move_turn=40, duration=1, frames_fps=10)
         with tempfile.TemporaryDirectory() as folder:
             (file,) = run.export(pathlib.Path(folder) / "world.xyz", frames="last")
             rows = file.read_text().splitlines()[2:]

@@ -41,7 +41,7 @@ def most_bytes(work):
 class Cost(unittest.TestCase):
     def simulation(self):
         # A short step: one sphere that falls slowly. It lasts for many more steps than are taken.
-        simulation = frostfill.Simulation("sphere", count=1, radius=0.01, dt=1e-6, threads=1)
+        simulation = frostfill.Simulation("sphere", count=1, radius=0.01, motion_dt=1e-6, threads=1)
         simulation.step()
         return simulation
 

@@ -57,7 +57,7 @@ class Equality(FolderCase):
         self.assertEqual(read.state_hash(), given.state_hash())
 
     def test_a_picture_is_the_one_of_the_program(self):
-        run = frostfill.fill("torus", count=40, duration=2, fps=10, out=self.folder / "run")
+        run = frostfill.fill("torus", count=40, duration=2, frames_fps=10, out=self.folder / "run")
         run_program("render", self.folder / "run", "--out", self.folder / "drawn", "--frames", "12",
                     "--size", "200x150", "--color-by", "height", "--quiet")
         frame = run.render(frame=12, size=(200, 150), color_by="height")

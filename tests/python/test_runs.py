@@ -12,7 +12,7 @@ from support import FolderCase, frostfill, run_program, unittest
 class Runs(FolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.run_ = frostfill.fill("torus", count=60, duration=2, fps=10, seed=7)
+        cls.run_ = frostfill.fill("torus", count=60, duration=2, frames_fps=10, seed=7)
 
     def test_have_a_frame_for_each_of_the_animation(self):
         run = self.run_
@@ -148,7 +148,7 @@ class Runs(FolderCase):
 
     def test_are_drawn_into_a_folder(self):
         drawn = self.run_.draw(self.folder / "pictures", frames="0..9", size=(80, 60),
-                               contact_sheet=True)
+                               frames_contact_sheet=True)
         self.assertTrue((self.folder / "pictures/contact_sheet.png").exists())
         self.assertEqual(drawn, 10)
         self.assertEqual(len(list((self.folder / "pictures/frames").glob("*.png"))), 10)
@@ -156,18 +156,19 @@ class Runs(FolderCase):
     def test_keep_the_options_that_were_given(self):
         options = self.run_.options
         self.assertEqual((options["mesh"], options["count"], options["seed"]), ("torus", 60, 7))
-        self.assertEqual((options["fps"], options["duration"]), (10.0, 2.0))
+        self.assertEqual((options["frames_fps"], options["duration"]), (10.0, 2.0))
         self.assertIsNone(options["radius"])
 
     def test_take_options_in_the_forms_that_python_has(self):
         options = frostfill.Simulation(
             "cube", count=numpy.int32(20), radius=(0.05, numpy.float32(0.0625)), size=(64, 48),
-            target=numpy.array([0.0, 0.1, 0.2]), static_layer=False, passes=["depth", "normal"],
+            camera_target=numpy.array([0.0, 0.1, 0.2]), picture_static_layer=False,
+            frames_passes=["depth", "normal"],
             units="mm", up="z", wrap=None, frames=range(3), colour_frozen="#ff0000").options
         self.assertEqual(options["radius"], "0.05..0.0625")
-        self.assertEqual((options["size"], options["static_layer"]), ("64x48", "off"))
-        self.assertEqual((options["target"], options["units"]), ((0.0, 0.1, 0.2), 1000.0))
-        self.assertEqual((options["passes"], options["frames"]), ("depth,normal", "0,1,2"))
+        self.assertEqual((options["size"], options["picture_static_layer"]), ("64x48", False))
+        self.assertEqual((options["camera_target"], options["units"]), ((0.0, 0.1, 0.2), 1000.0))
+        self.assertEqual((options["frames_passes"], options["frames"]), ("depth,normal", "0,1,2"))
         self.assertEqual((options["up"], options["wrap"]), ("z", None))
         self.assertEqual(options["colour_frozen"], "#ff0000")
 

@@ -26,8 +26,15 @@ def value(word):
 
 def keywords_of(words):
     keywords = {}
+    name = ""
     for word in words:
-        if word.startswith("--"):
+        if name == "set":
+            key, _, text = word.partition("=")
+            keywords[key.replace(".", "_")] = {"true": True, "false": False}.get(text, value(text))
+            name = ""
+        elif word == "--set":
+            name = "set"
+        elif word.startswith("--"):
             name = word[2:].replace("-", "_")
             keywords[name] = True
         else:

@@ -89,22 +89,22 @@ NO_VALUES = [
 ] + [
     {"preset": v} for v in (None, "", "fats", 1, True, ["fast"], "paper\0")
 ] + [
-    {"target": v} for v in (1, (1, 2), (1, 2, 3, 4), ("a", 0, 0), (numpy.nan, 0, 0), "1,2", [None] * 3)
+    {"camera_target": v} for v in (1, (1, 2), (1, 2, 3, 4), ("a", 0, 0), (numpy.nan, 0, 0), "1,2", [None] * 3)
 ] + [
     {"size": v} for v in (0, (0, 0), (800,), (800, 600, 3), "800", (-1, 5), (10**9, 10**9), (1.5, 2), None,
                           [[1], [2]])
 ] + [
-    {"until_full": v} for v in (None, "yes", 1, 0.0, [True])
+    {"spheres_until_full": v} for v in (None, "yes", 1, 0.0, [True])
 ] + [
-    {"restitution": v} for v in (None, -0.1, 1.1, "bouncy", numpy.nan, True, 1j)
+    {"motion_restitution": v} for v in (None, -0.1, 1.1, "bouncy", numpy.nan, True, 1j)
 ] + [
     {"frames": v} for v in ("x", (1.5,), "5..x", [[1]], -1)
 ] + [
     {"background": v} for v in ("blue-ish", "#12", None, ("#ffffff", "#000000"))
 ] + [
-    {"up": "w"}, {"units": "parsec"}, {"units": 0}, {"wrap": -1}, {"threads": -1}, {"fps": 0}, {"dt": 0},
-    {"keep_run": "maybe"}, {"cutaway": "slice"}, {"passes": "colour"}, {"style": "baroque"},
-    {"duration": -1}, {"gravity": 0}, {"group_size": -1}, {"lid": "yes"}, {"polygon_search": "oracle"},
+    {"up": "w"}, {"units": "parsec"}, {"units": 0}, {"wrap": -1}, {"threads": -1}, {"frames_fps": 0}, {"motion_dt": 0},
+    {"frames_keep_run": "maybe"}, {"cutaway": "slice"}, {"frames_passes": "colour"}, {"style": "baroque"},
+    {"duration": -1}, {"motion_gravity": 0}, {"spheres_group_size": -1}, {"lid": "yes"}, {"search_polygons": "oracle"},
 ]
 
 
@@ -194,9 +194,9 @@ class WrongCalls(FolderCase):
         self.refuse(frostfill.fill, triangles=FACES)
 
     def test_of_keywords_name_the_nearest(self):
-        for name, nearest in {"cuont": "count", "color": "color_by", "untilfull": "until_full",
+        for name, nearest in {"cuont": "count", "color": "color_by", "spheres_untilfull": "spheres_until_full",
                               "raduis": "radius", "seeds": "seed", "colour_by": "color_by",
-                              "Preset": "preset", "until-full": "until_full"}.items():
+                              "Preset": "preset", "until_full": "spheres_until_full", "sphere_search": "search_spheres"}.items():
             sentence = self.refuse(frostfill.Simulation, "cube", kinds=TypeError, **{name: 1})
             self.assertIn(f"has no keyword '{name}'", sentence)
             if name != "color":
@@ -230,7 +230,7 @@ class WrongCalls(FolderCase):
         self.assertIn("byte 40", self.refuse(read, file))
 
     def test_of_runs(self):
-        run = frostfill.fill("cube", count=5, duration=0.5, fps=10)
+        run = frostfill.fill("cube", count=5, duration=0.5, frames_fps=10)
         both = (frostfill.Error, TypeError)
         for wrong in ("x", 1.5, 10**6, -10**6, 2**80, [1], numpy.nan):
             self.refuse(run.frame, wrong)
@@ -249,7 +249,7 @@ class WrongCalls(FolderCase):
         damaged.write_bytes(whole[:len(whole) // 3])
         self.refuse(frostfill.load, damaged)
         self.refuse(run.render, zoom=-1)
-        self.refuse(run.render, size=(10, 10), backend="crayons")
+        self.refuse(run.render, size=(10, 10), picture_backend="crayons")
         self.refuse(run.draw, self.folder / "p", frames="none")
         self.refuse(run.draw, self.folder / "p", turntable=4, camera_path="0:30,20 1:90,20")
         self.refuse(run.export, self.folder / "x", 5)

@@ -58,10 +58,11 @@ class Draw:
     def give(self, share, name, *values):
         """Gives an option in this share of all scenes, with one of the values or without any."""
         if self.chance(share):
-            self.options.append(name)
+            given = [name]
             if values:
                 value = self.random.choice(values)
-                self.options.append(value() if callable(value) else value)
+                given.append(value() if callable(value) else value)
+            self.options += given if name.startswith("--") else ["--set", "=".join(given)]
 
     def sizes(self, low, high):
         mean = self.between(low, high)
@@ -77,8 +78,8 @@ class Draw:
         else:
             curve = f"{kind}:{number(mean)},{number(spread)}"
         self.options += ["--sizes", curve, "--by", self.random.choice(["mass", "number"])]
-        self.give(0.7, "--curve-within", "none", "1", "0", lambda: number(self.between(0, 0.2)))
-        self.give(0.2, "--fill-gaps")
+        self.give(0.7, "spheres.curve_within", "none", "1", "0", lambda: number(self.between(0, 0.2)))
+        self.give(0.2, "spheres.fill_gaps=true")
 
     def spheres(self, low, high, is_paper, is_joint):
         kind = self.random.choice(["radius", "range", "count"] + 3 * ["sizes"] * (not is_paper))
@@ -97,9 +98,9 @@ class Draw:
         else:
             self.give(0.4, "--count", count)
         if not is_joint:
-            self.give(0.1, "--until-full")
-        self.give(0.2, "--group-size", "1", "7", "60", "1500")
-        self.give(0.2, "--groups-per-set", "1", "3", "20")
+            self.give(0.1, "spheres.until_full=true")
+        self.give(0.2, "spheres.group_size", "1", "7", "60", "1500")
+        self.give(0.2, "spheres.groups_per_set", "1", "3", "20")
         if self.chance(0.07):
             place = ",".join(number(self.between(-0.3, 0.3)) for _ in range(3))
             self.options += ["--inlet", f"{place},{number(self.between(1, 4) * radius)}"]
@@ -107,34 +108,34 @@ class Draw:
     def motion(self, motion, is_joint=False):
         if motion:
             self.options += ["--motion", motion]
-        self.give(0.2, "--gravity", "1e-3", "1.6", "100")
-        self.give(0.1, "--dt", "1e-4", "0.01", "10")
-        self.give(0.4, "--restitution", "0", "0.5", *(() if is_joint else ("0.9", "1")))
+        self.give(0.2, "motion.gravity", "1e-3", "1.6", "100")
+        self.give(0.1, "motion.dt", "1e-4", "0.01", "10")
+        self.give(0.4, "motion.restitution", "0", "0.5", *(() if is_joint else ("0.9", "1")))
 
     def move(self):
-        self.give(0.3, "--tilt", "20", "180")
-        self.give(0.3, "--turn", "90", "-400")
-        self.give(0.3, "--shake", "0.02")
-        self.give(0.1, "--shake-frequency", "0.5", "5")
-        self.give(0.1, "--move-for", "0.5", "2")
+        self.give(0.3, "move.tilt", "20", "180")
+        self.give(0.3, "move.turn", "90", "-400")
+        self.give(0.3, "move.shake", "0.02")
+        self.give(0.1, "move.frequency", "0.5", "5")
+        self.give(0.1, "move.duration", "0.5", "2")
 
     def joint_rest(self):
         self.options += ["--rest", "joint"]
         self.give(0.7, "--friction", "0", "0.3", "0.8")
-        self.give(0.2, "--wall-friction", "0", "0.5")
-        self.give(0.2, "--rolling-friction", "0.05")
+        self.give(0.2, "rest.wall_friction", "0", "0.5")
+        self.give(0.2, "rest.rolling_friction", "0.05")
         self.give(0.1, "--fraction", "0.58", "0.62", "densest")
-        self.give(0.2, "--orientation")
+        self.give(0.2, "rest.orientation=true")
 
     def paper(self):
         self.options += ["--preset", "paper"]
         self.motion(None)
-        self.give(0.4, "--discard", "none", "paper")
-        self.give(0.2, "--discard-closeness", "0.1")
-        self.give(0.3, "--sphere-search", "all-pairs", "grid")
-        self.give(0.3, "--polygon-search", "loop", "list", "quadtree", "grid")
-        self.give(0.3, "--integrator", "explicit", "semi-implicit")
-        self.give(0.2, "--freeze-every", "0", "1", "5")
+        self.give(0.4, "discard.rule", "none", "paper")
+        self.give(0.2, "discard.closeness", "0.1")
+        self.give(0.3, "search.spheres", "all-pairs", "grid")
+        self.give(0.3, "search.polygons", "loop", "list", "quadtree", "grid")
+        self.give(0.3, "motion.integrator", "explicit", "semi-implicit")
+        self.give(0.2, "freezing.every_sets", "0", "1", "5")
 
     def fast(self, is_joint):
         motions = ["fall", "skip", "skip", "descend", "descend"]
@@ -143,13 +144,13 @@ class Draw:
         if is_joint:
             self.joint_rest()
         elif motion != "descend":
-            self.give(0.1, "--rolling-friction", "0.05")
-            self.give(0.15, "--freeze-by-set")
+            self.give(0.1, "rest.rolling_friction", "0.05")
+            self.give(0.15, "freezing.rule=by-set")
             if self.chance(0.15):
                 self.move()
-        self.give(0.1, "--sweeps", "1", "4", "60")
-        self.give(0.3, "--discard", "none", "exact")
-        self.give(0.1, "--no-neighbour-lists")
+        self.give(0.1, "motion.sweeps", "1", "4", "60")
+        self.give(0.3, "discard.rule", "none", "exact")
+        self.give(0.1, "search.neighbour_lists=false")
 
     def anything(self):
         """Options that mostly do not go together."""
@@ -158,8 +159,8 @@ class Draw:
         self.move()
         self.give(0.3, "--rest", "each")
         self.give(0.3, "--friction", "0.3")
-        self.give(0.3, "--discard", "paper")
-        self.give(0.3, "--fill-gaps")
+        self.give(0.3, "discard.rule", "paper")
+        self.give(0.3, "spheres.fill_gaps=true")
 
     def scene(self):
         name = self.random.choice(list(OBJECTS))
@@ -173,11 +174,11 @@ class Draw:
             self.anything()
         else:
             self.paper() if is_paper else self.fast(is_joint)
-        self.give(0.1, "--set-time-limit", "5", "200")
-        self.give(0.07, "--judge-friction", "0", "0.5")
+        self.give(0.1, "freezing.set_time_limit", "5", "200")
+        self.give(0.07, "judge.friction", "0", "0.5")
         if self.chance(0.1):
             self.options += ["--frames", self.random.choice(["last", "0..3", "all"]),
-                             "--size", "64x48", "--max-frames", "5"]
+                             "--size", "64x48", "--set", "frames.limit=5"]
             self.give(0.5, "--style", "clean", "paper", "dark", "studio")
             self.give(0.3, "--color-by", "speed", "contacts", "group", "unbalance")
         else:
@@ -221,7 +222,7 @@ def not_finite(folder):
 
 def faults_of(program, arguments, signal_after, folder):
     """What is wrong with a scene, and its exit code."""
-    code, text, summary = fill(program, arguments + ["--threads", "1"], folder, signal_after)
+    code, text, summary = fill(program, arguments + ["--set", "threads=1"], folder, signal_after)
     if code == -signal.SIGXCPU or code == -signal.SIGKILL:
         return [f"does not end within {PROCESSOR_SECONDS} s of processor time"], code
     if code not in DOCUMENTED:
@@ -241,7 +242,7 @@ def faults_of(program, arguments, signal_after, folder):
                 faults.append(f"{key}: {error[key]}")
     if count := not_finite(folder):
         faults.append(f"{count} values in spheres.csv are not finite")
-    again, text, other = fill(program, arguments + ["--threads", "3"], folder)
+    again, text, other = fill(program, arguments + ["--set", "threads=3"], folder)
     if again != code:
         faults.append(f"ends with {code} on one thread and {again} on three: {text[-300:]}")
     elif summary["state_hash"] != other["state_hash"]:

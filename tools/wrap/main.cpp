@@ -71,7 +71,8 @@ int run(const std::vector<std::string>& given)
         return 0;
     }
     std::fputs("frostfill-wrap makes skins and unions for frostfill, which calls it:\n"
-               "  frostfill fill MESH --wrap    frostfill fill MESH --unite\n"
+               "  frostfill fill MESH --wrap auto\n"
+               "  frostfill fill MESH --set object.unite=true\n"
                "It is free software under the GNU GPL, version 3 or later, and uses CGAL.\n",
                stdout);
     return static_cast<int>(ErrorCode::usage);

@@ -7,7 +7,6 @@
 
 #include <csignal>
 #include <ctime>
-#include <string>
 #include <string_view>
 #include <tuple>
 
@@ -24,10 +23,6 @@ volatile std::sig_atomic_t stopTime = 0; ///< [s] of the first signal, on a cloc
 /// the same one to a process and to its group. [s]
 constexpr std::sig_atomic_t kPatience = 3;
 
-/// Set before signals are caught, and read by their handler alone.
-std::string lastWords;
-int lastWordsTo = -1;
-
 std::sig_atomic_t secondsNow()
 {
     timespec now = {};
@@ -41,10 +36,6 @@ std::sig_atomic_t secondsNow()
     constexpr std::string_view kMessage =
         "frostfill: stopped before the run began; nothing was written\n";
     std::ignore = write(STDERR_FILENO, kMessage.data(), kMessage.size());
-    if (lastWordsTo >= 0)
-    {
-        std::ignore = write(lastWordsTo, lastWords.data(), lastWords.size());
-    }
     _exit(static_cast<int>(ErrorCode::stoppedEarly));
 }
 
@@ -78,12 +69,6 @@ void catchStopSignals()
     {
         sigaction(signal, &action, nullptr);
     }
-}
-
-void setExitLine(int descriptor, const std::string& line)
-{
-    lastWords = line;
-    lastWordsTo = descriptor;
 }
 
 void runHasBegun()

@@ -44,9 +44,9 @@ std::string optionsThatHelp(const TriangleMesh& mesh, const LoadMeshOptions& giv
     const bool skin = !given.wrap && enclosesRoom(mesh, automaticAlpha(mesh));
     if (lids && skin)
     {
-        return "give --lid or --wrap, or ";
+        return "give --lid or --wrap auto, or ";
     }
-    return lids ? "give --lid, or " : (skin ? "give --wrap, or " : "");
+    return lids ? "give --lid, or " : (skin ? "give --wrap auto, or " : "");
 }
 
 } // namespace frostfill

@@ -41,7 +41,7 @@ void requireMemory()
         asked = false;
         throw Error(ErrorCode::outOfMemory,
                     fmt::format("OpenGL takes some {} MiB, and the limit on the memory of this "
-                                "process leaves less; raise it (ulimit -v), or omit --backend",
+                                "process leaves less; raise it (ulimit -v), or omit picture.backend",
                                 kContextBytes >> 20));
     }
 }
@@ -92,7 +92,7 @@ std::unique_ptr<Context> openContext(Backend backend)
     requireMemory();
     const Watchdog watchdog(kPatience,
                             "frostfill: OpenGL has not answered for a minute, perhaps because "
-                            "memory is short; omit --backend",
+                            "memory is short; omit picture.backend",
                             static_cast<int>(ErrorCode::noOpenGl));
     std::string attempts;
     for (const BackendChoice& choice : backendChoices())

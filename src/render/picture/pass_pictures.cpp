@@ -36,7 +36,7 @@ void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPict
         {
             throw Error(ErrorCode::usage,
                         fmt::format("the pass identity tells {} spheres apart, and sphere {} is "
-                                    "seen: omit identity from --passes",
+                                    "seen: omit identity from frames.passes",
                                     kLargestIdentity, surfaces.identity[i] - 1));
         }
         const bool seen = surfaces.distance[i] != Surfaces::kNothing;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_number.hpp"
 #include "scene/options/nearest_name.hpp"
 #include "scene/options/table_builder.hpp"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,37 +18,12 @@ namespace frostfill
 namespace
 {
 
-template <typename T>
-std::optional<T> readNumber(std::string_view text)
-{
-    T value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size())
-    {
-        return std::nullopt;
-    }
-    return value;
-}
-
 std::optional<Eigen::Vector3d> readVector(std::string_view text)
 {
-    Eigen::Vector3d vector;
-    for (int i = 0; i < 3; ++i)
-    {
-        const std::size_t comma = i < 2 ? text.find(',') : text.size();
-        if (comma == std::string_view::npos)
-        {
-            return std::nullopt;
-        }
-        const auto value = readNumber<double>(text.substr(0, comma));
-        if (!value)
-        {
-            return std::nullopt;
-        }
-        vector[i] = *value;
-        text.remove_prefix(std::min(comma + 1, text.size()));
-    }
-    return vector;
+    const auto numbers = readNumbers(text);
+    return numbers && numbers->size() == 3
+               ? std::optional(Eigen::Vector3d((*numbers)[0], (*numbers)[1], (*numbers)[2]))
+               : std::nullopt;
 }
 
 bool inRange(const OptionRange& range, double value)
@@ -160,6 +135,17 @@ const Option* findOption(std::string_view key)
     return nullptr;
 }
 
+std::string didYouMeanKey(std::string_view key)
+{
+    std::vector<std::string> names;
+    for (const Option& option : sceneOptions())
+    {
+        names.push_back(option.key);
+    }
+    const std::string nearest = nearestName(key, names);
+    return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+}
+
 const Option& optionOf(std::string_view key)
 {
     const Option* found = findOption(key);
@@ -172,7 +158,7 @@ const Option& optionOf(std::string_view key)
 
 std::vector<const Option*> optionsFor(OptionUse use)
 {
-    constexpr std::array<std::string_view, 3> kPictureGroups = {"Frames", "Picture", "Camera"};
+    constexpr std::array<std::string_view, 2> kPictureGroups = {"Pictures", "Camera"};
     constexpr std::array<std::string_view, 3> kOfTheRun = {"frames.slow_motion", "frames.duration",
                                                            "frames.keep_run"};
     constexpr std::array<std::string_view, 4> kLoading = {"object.lid", "object.cavity",

@@ -274,7 +274,7 @@ Option fieldOption(Option option, Access access)
     }
     if constexpr (std::is_same_v<Field, Cutaway>)
     {
-        option.placeholder = "none|plane:X,Y,Z[,OFFSET]|wedge:FROM,TO";
+        option.placeholder = "plane:X,Y,Z|wedge:A,B";
         option.form =
             "none, plane:X,Y,Z or plane:X,Y,Z,OFFSET with a normal, or wedge:FROM,TO in degrees, "
             "at most 180 apart";
@@ -286,7 +286,7 @@ Option fieldOption(Option option, Access access)
     }
     if constexpr (std::is_same_v<Field, std::vector<Inlet>>)
     {
-        option.placeholder = "none|X,Y,Z,RADIUS[;...]";
+        option.placeholder = "X,Y,Z,RADIUS;...";
         option.form =
             "none, or X,Y,Z,RADIUS with a radius above 0, several separated by semicolons";
     }

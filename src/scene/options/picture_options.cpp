@@ -16,42 +16,13 @@ constexpr double kLongestTurn = 1e6;
 constexpr double kMinPerSecond = 1e-3;
 constexpr double kShortestVideo = 0.01;
 
-void addKeepRun(TableBuilder& table)
-{
-    table.add(Option{.key = "frames.keep_run",
-                     .flag = "--keep-run",
-                     .group = table.group(),
-                     .help = "Keep the run in run.frost, to draw it again (frostfill render) or "
-                             "resume it; auto: when frames are drawn",
-                     .choices = {"auto", "on", "off"},
-                     .get =
-                         [](const Scene& scene)
-                     {
-                         const auto& keep = scene.frames.keepRun;
-                         return std::string(!keep ? "auto" : *keep ? "on" : "off");
-                     },
-                     .set =
-                         [](Scene& scene, const OptionValue& value)
-                     {
-                         const auto& text = std::get<std::string>(value);
-                         scene.frames.keepRun.reset();
-                         if (text != "auto")
-                         {
-                             scene.frames.keepRun = text == "on";
-                         }
-                         return true;
-                     }});
-}
-
 void addFrames(TableBuilder& table)
 {
-    table.heading("Frames");
+    table.heading("Pictures");
     table.add(Option{.key = "frames.which",
                      .flag = "--frames",
                      .group = table.group(),
-                     .help = "Frames to draw: all, none, last, or numbers and ranges such as "
-                             "0..100:10,250; 0:100:10 ends before 100; never changes the "
-                             "simulation",
+                     .help = "Frames to draw: all, none, last, or such as 0..100:10,250",
                      .placeholder = "WHICH",
                      .form = "all, none, or a list such as 0..100:10,250,last",
                      .get = [](const Scene& scene)
@@ -68,45 +39,50 @@ void addFrames(TableBuilder& table)
                          scene.frames.selection = scene.frames.enabled ? text : "all";
                          return true;
                      }});
-    table.add("frames.fps", "--fps", "Frames per second of video", FROSTFILL_FIELD(frames.fps))
+    table.add("frames.fps", "", "Frames per second of video", FROSTFILL_FIELD(frames.fps))
         .range(kMinPerSecond, 10000);
     table
-        .add("frames.slow_motion", "--slow-motion",
+        .add("frames.slow_motion", "",
              "Video time over simulated time; auto: follows from the duration",
              FROSTFILL_FIELD(frames.slowMotion))
         .orUnset("auto")
         .range(1 / kSlowestMotion, kSlowestMotion);
     table
         .add("frames.duration", "--duration",
-             "Length of the animation [s of video]; auto: 20 s, less for a few spheres",
+             "Length of the animation [s of video]; auto: at most 20 s",
              FROSTFILL_FIELD(frames.duration))
         .orUnset("auto")
         .range(kShortestVideo, kLongestTurn);
     table
-        .add("frames.limit", "--max-frames",
+        .add("frames.limit", "",
              "Largest number of pictures kept, at equal steps; the video has all; 0: no limit",
              FROSTFILL_FIELD(frames.limit))
         .range(0, kLargestWhole);
     table
-        .add("frames.hold", "--hold", "Time for which the last state is shown [s of video]",
+        .add("frames.hold", "", "Time for which the last state is shown [s of video]",
              FROSTFILL_FIELD(frames.hold))
         .range(0, 3600);
-    table.add("frames.passes", "--passes",
-              "Also draw depth, normals or sphere identities of each frame",
+    table.add("frames.passes", "", "Also draw depth, normals or sphere identities of each frame",
               FROSTFILL_FIELD(frames.passes));
-    addKeepRun(table);
+    table.add("frames.contact_sheet", "",
+              "Also draw twelve frames in one picture, contact_sheet.png",
+              FROSTFILL_FIELD(frames.contactSheet));
+    table
+        .add("frames.keep_run", "",
+             "Keep the run in run.frost, for render, view, export and --resume; auto: when frames "
+             "are drawn",
+             FROSTFILL_FIELD(frames.keepRun))
+        .orUnset("auto");
 }
 
 /// A look sets the colours, so colours that are given must be set after it.
 void addLook(TableBuilder& table)
 {
-    Option look = fieldOption(
-        {.key = "picture.style",
-         .flag = "--style",
-         .group = table.group(),
-         .help = "Colours, outlines and light for a screen, for print, for slides or for a "
-                 "cover"},
-        FROSTFILL_FIELD(style.look));
+    Option look = fieldOption({.key = "picture.style",
+                               .flag = "--style",
+                               .group = table.group(),
+                               .help = "Look for a screen, for print, for slides or for a cover"},
+                              FROSTFILL_FIELD(style.look));
     look.set = [set = look.set](Scene& scene, const OptionValue& value)
     {
         const bool known = set(scene, value);
@@ -118,15 +94,14 @@ void addLook(TableBuilder& table)
 
 void addPicture(TableBuilder& table)
 {
-    table.heading("Picture");
     table.add("picture.size", "--size", "Width and height [pixel]", FROSTFILL_FIELD(size));
     table
-        .add("picture.samples", "--samples", "Samples per pixel; 1 turns antialiasing off",
+        .add("picture.samples", "", "Samples per pixel; 1 turns antialiasing off",
              FROSTFILL_FIELD(samples))
         .range(1, 4);
     table
-        .add("picture.supersample", "--supersample",
-             "Draw this many times larger, then average: for figures", FROSTFILL_FIELD(supersample))
+        .add("picture.supersample", "", "Draw this many times larger, then average: for figures",
+             FROSTFILL_FIELD(supersample))
         .range(1, 8);
     addLook(table);
     table.add(Option{.key = "picture.color_by",
@@ -142,44 +117,32 @@ void addPicture(TableBuilder& table)
                          return true;
                      }});
     table.add("picture.cutaway", "--cutaway",
-              "Cut open: remove everything beyond a plane (offset from the middle [mesh unit]) or "
-              "in a wedge of azimuths [degree]",
+              "Cut open: remove what is beyond a plane or in a wedge [degree]",
               FROSTFILL_FIELD(style.cutaway));
-    table.add("picture.ambient_occlusion", "--ambient-occlusion",
-              "Darken crevices; doubles the drawing time", FROSTFILL_FIELD(style.ambientOcclusion));
-    table.add("picture.legend", "--legend", "Show counts and colours in the picture",
+    table.add("picture.ambient_occlusion", "", "Darken crevices; doubles the time of drawing",
+              FROSTFILL_FIELD(style.ambientOcclusion));
+    table.add("picture.legend", "--legend", "Show counts and colours",
               FROSTFILL_FIELD(style.legend));
     table.add("picture.shell", "--shell", "Show the mesh as a translucent shell",
               FROSTFILL_FIELD(style.shell));
-    table.add("picture.edges", "--edges",
+    table.add("picture.edges", "",
               "Edges of the shell besides silhouettes and creases; auto: where triangles are large",
               FROSTFILL_FIELD(style.edges));
     table
-        .add("picture.shell_opacity", "--shell-opacity",
+        .add("picture.shell_opacity", "",
              "How much the shell hides, 0 to 1; auto: that of its colour",
              FROSTFILL_FIELD(style.shellOpacity))
         .orUnset("auto")
         .range(0, 1);
-    table.add("picture.ground", "--ground",
+    table.add("picture.ground", "",
               "With the style studio: show a ground with the shadow of the object",
               FROSTFILL_FIELD(style.ground));
-    table.add(Option{.key = "picture.static_layer",
-                     .flag = "--static-layer",
-                     .group = table.group(),
-                     .help = "Draw spheres at rest only once; off: the same pictures, slower",
-                     .choices = {"on", "off"},
-                     .get = [](const Scene& scene)
-                     { return std::string(scene.staticLayer ? "on" : "off"); },
-                     .set =
-                         [](Scene& scene, const OptionValue& value)
-                     {
-                         scene.staticLayer = std::get<std::string>(value) == "on";
-                         return true;
-                     }});
-    table.add("picture.background", "--background",
-              "Colour of the background; none: pictures with alpha, to lay on anything",
+    table.add("picture.static_layer", "",
+              "Draw spheres at rest only once; false: the same pictures, slower",
+              FROSTFILL_FIELD(staticLayer));
+    table.add("picture.background", "--background", "Colour of the background; none: transparent",
               FROSTFILL_FIELD(style.palette.background));
-    table.add("picture.backend", "--backend",
+    table.add("picture.backend", "",
               "What draws; auto: builtin, without OpenGL; all draw the same pictures",
               FROSTFILL_FIELD(backend));
 }
@@ -189,8 +152,7 @@ void addCamera(TableBuilder& table)
     table.heading("Camera");
     table
         .add("camera.azimuth", "--azimuth",
-             "Angle of the view about the up axis [degree]; auto: 30, or 210 where that would show "
-             "the back of an object whose upper half leans to the other side",
+             "Angle of the view about the up axis [degree]; auto: 30 or 210",
              FROSTFILL_FIELD(camera.azimuth))
         .orUnset("auto")
         .range(-3600, 3600);
@@ -199,36 +161,41 @@ void addCamera(TableBuilder& table)
              FROSTFILL_FIELD(camera.elevation))
         .range(-90, 90);
     table
-        .add("camera.field_of_view", "--field-of-view", "Vertical angle of view [degree]",
+        .add("camera.field_of_view", "", "Vertical angle of view [degree]",
              FROSTFILL_FIELD(camera.fieldOfView))
         .range(1, 150);
     table
-        .add("camera.zoom", "--zoom",
-             "Enlargement: 1 shows the whole object, 2 shows it twice as large",
+        .add("camera.zoom", "--zoom", "Enlargement; 1 shows the whole object",
              FROSTFILL_FIELD(camera.zoom))
         .range(1 / kLargestZoom, kLargestZoom);
-    table.add("camera.orthographic", "--orthographic", "Parallel projection",
+    table.add("camera.orthographic", "", "Parallel projection",
               FROSTFILL_FIELD(camera.orthographic));
     table
-        .add("camera.target", "--target",
+        .add("camera.target", "",
              "Point in the middle of the picture [mesh unit]; auto: the middle of the object",
              FROSTFILL_FIELD(camera.target))
         .orUnset("auto")
         .range(-kLargestLength, kLargestLength);
     table
-        .add("camera.distance", "--distance",
+        .add("camera.distance", "",
              "Distance of the eye from the target [mesh unit], perspective only; auto: the object "
              "fits",
              FROSTFILL_FIELD(camera.distance))
         .orUnset("auto")
         .range(kSmallestLength, kLargestLength);
     table
-        .add("camera.turntable", "--turntable",
-             "Time in which the camera circles the object once [s of video]; with --frames last, "
-             "the full object turns once",
+        .add("camera.turntable", "--turntable", "Circle the object once in this time [s of video]",
              FROSTFILL_FIELD(camera.turntable))
         .orUnset("none")
         .range(1 / kLongestTurn, kLongestTurn);
+    table.add({.key = "camera.path",
+               .group = table.group(),
+               .help = "Move the camera: keyframes of seconds of video, angles [degree] and zoom",
+               .nothing = "none",
+               .placeholder = "KEYS|FILE",
+               .form = "keyframes SECONDS:AZIMUTH,ELEVATION[,ZOOM] such as \"0:30,20 "
+                       "8:120,45\", or a file of such lines"},
+              FROSTFILL_FIELD(frames.cameraPath));
 }
 
 void addColours(TableBuilder& table)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "scene/options/file_values.hpp"
-#include "scene/options/nearest_name.hpp"
 #include "scene/read_sizes.hpp"
 
 #include <frostfill/error.hpp>
@@ -85,11 +84,6 @@ using KnownValues = std::map<const Option*, const FileValue*>;
 
 KnownValues knownValues(const FileValues& values, std::string_view file)
 {
-    std::vector<std::string> names;
-    for (const Option& option : sceneOptions())
-    {
-        names.push_back(option.key);
-    }
     KnownValues known;
     for (const auto& [key, value] : values)
     {
@@ -98,10 +92,7 @@ KnownValues knownValues(const FileValues& values, std::string_view file)
             known[option] = &value;
             continue;
         }
-        const std::string nearest = nearestName(key, names);
-        refuse(file, value.line,
-               fmt::format("unknown key '{}'{}", key,
-                           nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+        refuse(file, value.line, fmt::format("unknown key '{}'{}", key, didYouMeanKey(key)));
     }
     return known;
 }
@@ -218,6 +209,7 @@ Scene sceneFromValues(const FileValues& values, std::string_view file)
         apply(option, known, scene, file);
     }
     impliesUntilFull(known, scene);
+    (void)impliesJointRest(known, scene);
     return scene;
 }
 
@@ -241,6 +233,11 @@ void resolvePaths(Scene& scene, const std::filesystem::path& folder)
     if (curve && !isNamedSizes(*curve) && std::filesystem::path(*curve).is_relative())
     {
         curve = (folder / *curve).string();
+    }
+    std::optional<std::string>& path = scene.frames.cameraPath;
+    if (path && path->find(':') == std::string::npos && std::filesystem::path(*path).is_relative())
+    {
+        path = (folder / *path).string();
     }
 }
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_number.hpp"
 #include "scene/options/option_fields.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -17,33 +18,13 @@ namespace
 
 constexpr int kLargestPictureSide = 16384;
 
-template <typename T, typename... Base>
-bool readWhole(std::string_view text, T& value, Base... base)
+/// Coordinates, angles or lengths; none where one is none or beyond all that occurs.
+std::vector<double> numbersIn(std::string_view text)
 {
-    const auto [end, error] =
-        std::from_chars(text.data(), text.data() + text.size(), value, base...);
-    return error == std::errc{} && end == text.data() + text.size();
-}
-
-bool readNumbers(std::string_view text, std::vector<double>& numbers)
-{
-    while (true)
-    {
-        const std::string_view item = text.substr(0, text.find(','));
-        double value = 0;
-        const auto [end, error] = std::from_chars(item.data(), item.data() + item.size(), value);
-        if (error != std::errc{} || end != item.data() + item.size() ||
-            !(std::abs(value) <= kLargestLength))
-        {
-            return false;
-        }
-        numbers.push_back(value);
-        if (item.size() == text.size())
-        {
-            return true;
-        }
-        text.remove_prefix(item.size() + 1);
-    }
+    const auto numbers = readNumbers(text);
+    const auto occurs = [](double number) { return std::abs(number) <= kLargestLength; };
+    return numbers && std::all_of(numbers->begin(), numbers->end(), occurs) ? *numbers
+                                                                            : std::vector<double>();
 }
 
 constexpr std::array<std::pair<std::string_view, bool Passes::*>, 3> kPasses = {
@@ -71,10 +52,12 @@ bool readColour(std::string_view text, Colour& colour)
     Colour read = {0, 0, 0, 255};
     for (std::size_t i = 0; 2 * i + 2 < text.size(); ++i)
     {
-        if (!readWhole(text.substr(2 * i + 1, 2), read[i], 16))
+        const auto part = readNumber<std::uint8_t>(text.substr(2 * i + 1, 2), 16);
+        if (!part)
         {
             return false;
         }
+        read[i] = *part;
     }
     colour = read;
     return true;
@@ -82,19 +65,17 @@ bool readColour(std::string_view text, Colour& colour)
 
 bool readPictureSize(std::string_view text, PictureSize& size)
 {
-    const std::size_t cross = text.find('x');
-    PictureSize read;
-    if (cross == std::string_view::npos || !readWhole(text.substr(0, cross), read.width, 10) ||
-        !readWhole(text.substr(cross + 1), read.height, 10))
+    const auto sides = partsOf(text, 'x');
+    const auto side = [&](std::size_t i)
+    {
+        const auto number = readNumber<int>(sides[i]);
+        return number && *number >= 1 && *number <= kLargestPictureSide ? *number : 0;
+    };
+    if (sides.size() != 2 || side(0) == 0 || side(1) == 0)
     {
         return false;
     }
-    const auto fits = [](int side) { return side >= 1 && side <= kLargestPictureSide; };
-    if (!fits(read.width) || !fits(read.height))
-    {
-        return false;
-    }
-    size = read;
+    size = {side(0), side(1)};
     return true;
 }
 
@@ -121,18 +102,17 @@ bool readRadii(std::string_view text, Radii& radii)
         return true;
     }
     const std::size_t dots = text.find("..");
-    Radii read;
-    if (dots == std::string_view::npos || !readWhole(text.substr(0, dots), read.smallest) ||
-        !readWhole(text.substr(dots + 2), read.largest))
+    if (dots == std::string_view::npos)
     {
         return false;
     }
-    if (!(read.smallest >= kSmallestLength && read.largest >= read.smallest &&
-          read.largest <= kLargestLength))
+    const auto low = readNumber<double>(text.substr(0, dots));
+    const auto high = readNumber<double>(text.substr(dots + 2));
+    if (!low || !high || !(*low >= kSmallestLength && *high >= *low && *high <= kLargestLength))
     {
         return false;
     }
-    radii = read;
+    radii = Radii(*low, *high);
     return true;
 }
 
@@ -154,39 +134,27 @@ std::string cutawayText(const Cutaway& cutaway)
 bool readCutaway(std::string_view text, Cutaway& cutaway)
 {
     Cutaway read;
-    std::vector<double> numbers;
-    const std::string_view kind = text.substr(0, text.find(':'));
-    if (text != "none" &&
-        (kind.size() == text.size() || !readNumbers(text.substr(kind.size() + 1), numbers)))
-    {
-        return false;
-    }
+    const std::size_t colon = text.find(':');
+    const std::string_view kind = text.substr(0, colon);
+    const std::vector<double> numbers =
+        colon == std::string_view::npos ? std::vector<double>() : numbersIn(text.substr(colon + 1));
+    bool isRead = text == "none";
     if (kind == "plane" && (numbers.size() == 3 || numbers.size() == 4))
     {
         read.kind = Cutaway::Kind::plane;
         read.normal = {numbers[0], numbers[1], numbers[2]};
         read.offset = numbers.size() == 4 ? numbers[3] : 0;
-        if (!(read.normal.norm() > 1e-9))
-        {
-            return false;
-        }
+        isRead = read.normal.norm() > 1e-9;
     }
     else if (kind == "wedge" && numbers.size() == 2)
     {
         read.kind = Cutaway::Kind::wedge;
         read.from = numbers[0];
         read.to = numbers[1];
-        if (!(read.to > read.from && read.to <= read.from + 180))
-        {
-            return false;
-        }
+        isRead = read.to > read.from && read.to <= read.from + 180;
     }
-    else if (text != "none")
-    {
-        return false;
-    }
-    cutaway = read;
-    return true;
+    cutaway = isRead ? read : cutaway;
+    return isRead;
 }
 
 std::string inletsText(const std::vector<Inlet>& inlets)
@@ -203,22 +171,20 @@ std::string inletsText(const std::vector<Inlet>& inlets)
 
 bool readInlets(std::string_view text, std::vector<Inlet>& inlets)
 {
-    inlets.clear();
-    while (text != "none")
+    std::vector<Inlet> read;
+    for (const std::string_view one : partsOf(text, ';'))
     {
-        const std::string_view one = text.substr(0, text.find(';'));
-        std::vector<double> numbers;
-        if (!readNumbers(one, numbers) || numbers.size() != 4 || numbers[3] < kSmallestLength)
+        const std::vector<double> numbers = numbersIn(one);
+        if (numbers.size() == 4 && numbers[3] >= kSmallestLength)
+        {
+            read.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
+        }
+        else if (text != "none")
         {
             return false;
         }
-        inlets.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
-        if (one.size() == text.size())
-        {
-            break;
-        }
-        text.remove_prefix(one.size() + 1);
     }
+    inlets = std::move(read);
     return true;
 }
 
@@ -238,32 +204,18 @@ std::string passesText(const Passes& passes)
 bool readPasses(std::string_view text, Passes& passes)
 {
     Passes read;
-    if (text == "all")
+    for (const std::string_view word : partsOf(text, ','))
     {
-        read = {true, true, true};
-    }
-    else if (text != "none")
-    {
-        while (true)
+        bool isKnown = text == "none" || text == "all";
+        for (const auto& [name, member] : kPasses)
         {
-            const std::string_view item = text.substr(0, text.find(','));
-            bool known = false;
-            for (const auto& [name, member] : kPasses)
-            {
-                if (item == name)
-                {
-                    known = read.*member = true;
-                }
-            }
-            if (!known)
-            {
-                return false;
-            }
-            if (item.size() == text.size())
-            {
-                break;
-            }
-            text.remove_prefix(item.size() + 1);
+            const bool isMeant = word == name || text == "all";
+            read.*member = read.*member || isMeant;
+            isKnown = isKnown || isMeant;
+        }
+        if (!isKnown)
+        {
+            return false;
         }
     }
     passes = read;

@@ -47,12 +47,6 @@ public:
         table_.back().range = {low, high, true};
         return *this;
     }
-    /// The value of a flag that stands alone on the command line.
-    TableBuilder& implied(const char* word)
-    {
-        table_.back().implied = word;
-        return *this;
-    }
     /// Only this preset uses the option.
     TableBuilder& of(Preset preset)
     {
@@ -62,13 +56,6 @@ public:
     TableBuilder& words(std::vector<std::pair<std::string, double>> words)
     {
         table_.back().words = std::move(words);
-        return *this;
-    }
-
-    /// A second flag that takes 1 minus the number.
-    TableBuilder& complement(const char* flag)
-    {
-        table_.back().complement = flag;
         return *this;
     }
 
@@ -82,7 +69,6 @@ private:
 
 /// The two parts of the table: the simulation, and the pictures.
 void addRunOptions(TableBuilder& table);
-void addRestOptions(TableBuilder& table); ///< a part of those of a run
 void addPictureOptions(TableBuilder& table);
 
 } // namespace frostfill

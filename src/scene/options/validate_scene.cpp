@@ -32,10 +32,10 @@ void validateRest(const Scene& scene)
                  "grains rest together, or not at all: motion.mode "
                  "(--motion) granular requires rest.mode (--rest) joint");
         refuseIf(rest.friction != 0 || rest.wallFriction || rest.rollingFriction != 0,
-                 "friction (--friction, --wall-friction, --rolling-friction) acts while all "
+                 "friction (--friction, rest.wall_friction, rest.rolling_friction) acts while all "
                  "spheres settle together: give rest.mode (--rest) joint");
         refuseIf(rest.orientation, "spheres turn only while all settle together: "
-                                   "rest.orientation (--orientation) requires rest.mode "
+                                   "rest.orientation requires rest.mode "
                                    "(--rest) joint");
         refuseIf(rest.fraction.has_value(), "a packing fraction (rest.fraction, --fraction) is "
                                             "reached while all spheres settle together: give "
@@ -54,7 +54,8 @@ void validateRest(const Scene& scene)
              "the preset paper lets no spheres settle together: omit "
              "rest.mode (--rest), or use the preset fast");
     refuseIf(scene.move.any(), "spheres settle together (rest.mode, --rest joint) in an "
-                               "object that stands still: omit --tilt, --turn and --shake");
+                               "object that stands still: omit move.tilt, move.turn and "
+                               "move.shake");
 }
 
 void validateSizes(const Scene& scene)
@@ -63,10 +64,9 @@ void validateSizes(const Scene& scene)
     const SizeSettings usual;
     if (!sizes.curve)
     {
-        refuseIf(sizes != usual,
-                 "spheres.by (--by), spheres.curve_within (--curve-within) and "
-                 "spheres.fill_gaps (--fill-gaps) say how a size curve is kept: give "
-                 "spheres.sizes (--sizes)");
+        refuseIf(sizes != usual, "spheres.by (--by), spheres.curve_within and spheres.fill_gaps "
+                                 "say how a size curve is kept: give "
+                                 "spheres.sizes (--sizes)");
         return;
     }
     refuseIf(scene.spheres.radius.has_value(),
@@ -77,12 +77,11 @@ void validateSizes(const Scene& scene)
              "(--sizes), or use the preset fast");
     refuseIf(sizes.fillGaps && !scene.spheres.inlets.empty(),
              "what comes through an inlet fills no gaps: omit "
-             "spheres.fill_gaps (--fill-gaps) or spheres.inlets "
+             "spheres.fill_gaps or spheres.inlets "
              "(--inlet)");
     refuseIf(sizes.fillGaps && scene.move.any(),
              "gaps are filled in an object that stands still: omit "
-             "spheres.fill_gaps (--fill-gaps), or --tilt, --turn and "
-             "--shake");
+             "spheres.fill_gaps, or move.tilt, move.turn and move.shake");
     if (isNamedSizes(*sizes.curve))
     {
         (void)readSizeCurve(sizes); // its text is all there is
@@ -135,31 +134,32 @@ void validateScene(const Scene& scene)
              "motion.mode (--motion), or use the preset fast");
     refuseIf(scene.move.any() &&
                  (scene.preset == Preset::paper || scene.motion.mode == Motion::descend),
-             "moving the object (--tilt, --turn, --shake) requires the "
+             "moving the object (move.tilt, move.turn, move.shake) requires the "
              "preset fast with --motion fall or skip");
     const DiscardRule foreign =
         scene.preset == Preset::fast ? DiscardRule::paper : DiscardRule::exact;
     if (scene.discard.rule == foreign)
     {
-        throw Error(
-            ErrorCode::usage,
-            scene.preset == Preset::fast
-                ? "the paper's discards are not exact: discard.rule (--discard) paper requires "
-                  "the preset paper"
-                : "discard.rule (--discard) exact requires the preset fast");
+        throw Error(ErrorCode::usage,
+                    scene.preset == Preset::fast
+                        ? "the paper's discards are not exact: discard.rule paper requires "
+                          "the preset paper"
+                        : "discard.rule exact requires the preset fast");
     }
     refuseIf(scene.preset == Preset::paper && scene.spheres.groupSize == 0,
-             "spheres.group_size (--group-size) is 0, but with the preset "
+             "spheres.group_size is 0, but with the preset "
              "paper it must be at least 1");
     if (scene.judge.unbalance != JudgeSettings{}.unbalance && !scene.judge.friction &&
         !showsUnbalance(scene))
     {
-        throw Error(ErrorCode::usage, "judge.unbalance (--judge-unbalance) needs a friction: give "
-                                      "judge.friction (--judge-friction)");
+        throw Error(ErrorCode::usage, "judge.unbalance needs a friction: give judge.friction");
     }
     refuseIf(!scene.spheres.inlets.empty() && scene.spheres.release != ReleaseRule::ceilings,
              "spheres appear in openings (spheres.inlets, --inlet) or by "
              "another rule (spheres.release), not both");
+    refuseIf(scene.camera.turntable && scene.frames.cameraPath,
+             "camera.path and camera.turntable (--turntable) both move the camera: omit one of "
+             "them");
     validateRest(scene);
     validateSizes(scene);
     refuseIf(!scene.spheres.givesRadii() && !scene.spheres.count,

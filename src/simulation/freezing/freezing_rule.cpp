@@ -75,9 +75,7 @@ PartTable<FreezingRule, MakeFreezing>& freezingRules()
 
 std::unique_ptr<FreezingPart> makeFreezing(const World& world)
 {
-    const FreezingSettings& settings = world.scene.freezing;
-    const FreezingRule usual = settings.bySet ? FreezingRule::bySet : FreezingRule::oneByOne;
-    return freezingRules()[settings.rule.value_or(usual)](world);
+    return freezingRules()[world.scene.freezing.rule](world);
 }
 
 } // namespace frostfill

@@ -48,7 +48,7 @@ TEST(FreezingBySet, PacksMoreDenselyTheMoreLayersASetHas)
         scene.spheres.radius = 0.5;
         scene.spheres.count.reset();
         scene.motion.restitution = 0;
-        scene.freezing.bySet = true;
+        scene.freezing.rule = FreezingRule::bySet;
         scene.spheres.groupSize = setSize;
         scene.spheres.groupsPerSet = 1;
         scene.threads = 1;

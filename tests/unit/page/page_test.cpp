@@ -95,7 +95,7 @@ TEST_F(Pages, ReplaceNothingUnasked)
     writeFile(folder_ / "view.html", "mine");
     expectError(
         ErrorCode::cannotCreate, [&] { writePage(request()); }, "view.html", "--overwrite",
-        "--output");
+        "--out");
     EXPECT_EQ(readFile(folder_ / "view.html"), "mine");
     PageRequest again = request();
     again.overwrite = true;

@@ -122,7 +122,7 @@ TEST_F(RenderRun, DrawsTheBytesOfTurntablesPathsAndHeldFrames)
     request.scene.frames.hold = 0.2;
     expectTheSameBytes(request);
     request.scene.camera.turntable.reset();
-    request.cameraPath = "0:30,20 0.5:120,45,2";
+    request.scene.frames.cameraPath = "0:30,20 0.5:120,45,2";
     expectTheSameBytes(request);
 }
 

@@ -32,7 +32,7 @@ TEST(VolumeEstimate, IsRefusedForRadiiThatDiffer)
     Scene scene = presetScene(Preset::fast, "cube");
     scene.spheres.radius = Radii(0.1, 0.2);
     test::expectError(
-        ErrorCode::usage, [&] { (void)estimateVolume(scene); }, "--estimate-volume", "radius");
+        ErrorCode::usage, [&] { (void)estimateVolume(scene); }, "estimate of a volume", "radius");
 }
 
 } // namespace

@@ -237,7 +237,7 @@ TEST(PassPictures, RefuseIdentitiesThatDoNotFitUnlessNoneIsWanted)
     surfaces.identity = {0x1000000};
     test::expectError(
         ErrorCode::usage, [&] { makePassPictures(surfaces, framing, pictures); },
-        "omit identity from --passes");
+        "omit identity from frames.passes");
     pictures.withIdentity = false;
     makePassPictures(surfaces, framing, pictures);
     EXPECT_EQ(pictures.normal.pixels, (std::vector<std::uint8_t>{128, 128, 255}));

@@ -131,10 +131,10 @@ TEST(ValidateScene, NamesTheFirstValueThatMakesNoSenseAndItsRange)
     EXPECT_NO_THROW(validateScene(scene));
     scene.motion.restitution = 1.5;
     expectError(
-        ErrorCode::usage, [&] { validateScene(scene); }, "--restitution", "1.5", "0 to 1");
+        ErrorCode::usage, [&] { validateScene(scene); }, "motion.restitution", "1.5", "0 to 1");
     scene.motion.restitution = std::numeric_limits<double>::quiet_NaN();
     expectError(
-        ErrorCode::usage, [&] { validateScene(scene); }, "--restitution");
+        ErrorCode::usage, [&] { validateScene(scene); }, "motion.restitution");
 }
 
 TEST(ValidateScene, AsksForARadiusOrACount)
@@ -222,12 +222,12 @@ TEST(ValidateScene, LetsOnlyTheDynamicsOfThePresetFastMoveTheObject)
         }
         scene.motion.mode = Motion::descend;
         test::expectError(
-            ErrorCode::usage, [&] { validateScene(scene); }, "--tilt", "--motion");
+            ErrorCode::usage, [&] { validateScene(scene); }, "move.tilt", "--motion");
         Scene paper = presetScene(Preset::paper, "torus");
         EXPECT_NO_THROW(validateScene(paper));
         paper.move.*how = 0.1;
         test::expectError(
-            ErrorCode::usage, [&] { validateScene(paper); }, "--tilt", "preset fast");
+            ErrorCode::usage, [&] { validateScene(paper); }, "move.tilt", "preset fast");
     }
 }
 

@@ -30,7 +30,7 @@ Scene unusualScene()
     scene.spheres = {0.1 + 0.2, std::nullopt, true, 3, 7};
     scene.motion = {
         1.0 / 3.0, Motion::descend, Integrator::semiImplicitEuler, 1.2345678901234567e-12, 1, 9};
-    scene.freezing = {0, 0.30000000000000004, 5e-324, 999999.9999999999, true, {}};
+    scene.freezing = {0, 0.30000000000000004, 5e-324, 999999.9999999999, FreezingRule::bySet};
     scene.discard = {DiscardRule::none, 0, 2};
     scene.search = {SphereSearch::allPairs, PolygonSearch::list};
     scene.frames.enabled = false;
@@ -40,6 +40,9 @@ Scene unusualScene()
     scene.frames.limit = 0;
     scene.frames.hold = 0.1;
     scene.frames.passes = {true, false, true};
+    scene.frames.contactSheet = true;
+    scene.frames.keepRun = false;
+    scene.frames.cameraPath = "0:30,20 8:120,45,2";
     scene.size = {1, 16384};
     scene.camera = {-90, 90, 1.5, 0.01, true, Eigen::Vector3d(-0.0, 1e-17, 100), 0.3, 1e-5 / 3};
     scene.style.look = Look::paper;

@@ -103,7 +103,9 @@ TEST_P(FastEngines, GiveTheSameBitsWithAnyNumberOfThreads)
             Scene chosen = scene(3);
             chosen.threads = threads;
             chosen.spheres.groupSize = 50; // enough at once to be shared out
-            chosen.freezing.bySet = bySet && chosen.motion.mode != Motion::descend;
+            chosen.freezing.rule = bySet && chosen.motion.mode != Motion::descend
+                                       ? FreezingRule::bySet
+                                       : FreezingRule::oneByOne;
             auto simulation = std::make_unique<Simulation>(chosen, mesh());
             while (simulation->step())
             {

@@ -92,8 +92,8 @@ TEST(JointRest, IsRefusedWhereItHasNoMeaning)
     refuse([](Scene& s) { s.rest.mode = Rest::each; }, "--rest");
     refuse([](Scene& s) { s.move.tilt = 20; }, "stands still");
     refuse([](Scene& s) { s.rest.friction = -1; }, "--friction");
-    refuse([](Scene& s) { s.rest.rollingFriction = 2; }, "--rolling-friction");
-    refuse([](Scene& s) { s.rest.wallFriction = 9; }, "--wall-friction");
+    refuse([](Scene& s) { s.rest.rollingFriction = 2; }, "rest.rolling_friction");
+    refuse([](Scene& s) { s.rest.wallFriction = 9; }, "rest.wall_friction");
 }
 
 } // namespace

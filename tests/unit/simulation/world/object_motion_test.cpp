@@ -154,7 +154,7 @@ TEST(MovedObject, NeedsDynamics)
     Scene scene = movedBox(10, 0);
     scene.motion.mode = Motion::descend;
     test::expectError(
-        ErrorCode::usage, [&] { validateScene(scene); }, "--tilt", "--motion");
+        ErrorCode::usage, [&] { validateScene(scene); }, "move.tilt", "--motion");
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/text/reach_text.hpp"
+#include "app/text/result_text.hpp"
 
 #include <fmt/format.h>
 
@@ -52,6 +52,17 @@ std::string reachText(const ReachInspection& reach, double radius, double volume
         text += fmt::format("  and {} more\n", reach.parts.size() - kMaxParts);
     }
     return text;
+}
+
+std::string describe(const ShellInFile& shell)
+{
+    if (shell.triangles == 0 || shell.triangles == shell.meshTriangles)
+    {
+        return "";
+    }
+    return fmt::format("; the shell has {} of {} triangles and is within {:.2g} of the mesh "
+                       "(--full-mesh keeps all)",
+                       shell.triangles, shell.meshTriangles, shell.distance);
 }
 
 } // namespace frostfill
