@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 namespace frostfill
 {
@@ -41,15 +42,10 @@ void writeScript(const std::filesystem::path& file, std::string_view text)
     out.commit();
 }
 
-ProgramRun runGnuplot(const std::filesystem::path& folder, const std::string& option,
-                      const std::string& argument)
+ProgramRun runGnuplot(const std::filesystem::path& folder, std::vector<std::string> arguments)
 {
-    std::vector<std::string> command = {"gnuplot", option};
-    if (!argument.empty())
-    {
-        command.push_back(argument);
-    }
-    ProgramRun ran = runProgram(folder, command);
+    arguments.insert(arguments.begin(), "gnuplot");
+    ProgramRun ran = runProgram(folder, std::move(arguments));
     if (ran.error != 0)
     {
         throw Error(ErrorCode::missingProgram,
@@ -64,7 +60,7 @@ ProgramRun runGnuplot(const std::filesystem::path& folder, const std::string& op
 
 void requireGnuplot()
 {
-    static_cast<void>(runGnuplot(".", "--version", ""));
+    static_cast<void>(runGnuplot(".", {"--version"}));
 }
 
 void drawAnalysis(const std::filesystem::path& folder, const std::vector<std::string>& names)
@@ -80,7 +76,7 @@ void drawAnalysis(const std::filesystem::path& folder, const std::vector<std::st
         for (const char* format : {"svg", "png"})
         {
             const ProgramRun ran =
-                runGnuplot(folder, fmt::format("-eformat='{}'", format), plot.script);
+                runGnuplot(folder, {"-e", fmt::format("format='{}'", format), plot.script});
             if (ran.code != 0)
             {
                 throw Error(ErrorCode::writeFailed,
