@@ -32,6 +32,7 @@ constexpr bool kHasWrap = true; // beside the program, which finds it there
 constexpr bool kHasWrap = false;
 #endif
 
+const bool kHasLiggghts = std::system("command -v liggghts >/dev/null 2>&1") == 0;
 const std::filesystem::path kSource = testing_support::sourceFolder();
 
 std::vector<std::filesystem::path> pages()
@@ -72,6 +73,9 @@ void prepare(const std::filesystem::path& folder)
                     "4 8 11 10 9\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n"
                     "4 4 12 13 5\n4 5 13 14 6\n4 6 14 15 7\n4 7 15 12 4\n");
     test::writeFile(folder / "packing.csv", "x,y,z,radius\n1.5,1.5,0.5,0.5\n");
+    test::writeFile(folder / "sieve.csv",
+                    "diameter, cumulative mass\n4, 0\n5, 25\n6, 60\n8, 100\n");
+    test::writeFile(folder / "gaps.csv", "radius, volume share\n0.2, 0.66\n0.5, 0.34\n");
     test::writeFile(folder / "beads.csv", "px,py,pz,size\n0,-0.5,0,1\n");
     test::writeFile(folder / "grains.txt", "0 -0.5 0 0.5\n0.2 0.6 0 0.25\n");
     const auto dumpStep = [](const char* step)
@@ -117,20 +121,20 @@ void expectShownCommandsWork(bool studies)
     {
         for (const std::string& command : commandsOf(readFile(page)))
         {
-            if (command.rfind("gnuplot ", 0) == 0)
+            if (command.rfind("cd ", 0) == 0)
             {
-                if (!studies)
-                {
-                    continue;
-                }
-                const auto inFigures = "cd '" + (folder / "docs/figures").string() + "' && ";
-                EXPECT_EQ(std::system((inFigures + command + " 2>&1").c_str()), 0) << command;
+                const auto inFolder = "cd '" + folder.path().string() + "' && ";
+                EXPECT_TRUE(studies || !kHasLiggghts ||
+                            std::system((inFolder + command + " >/dev/null 2>&1").c_str()) == 0)
+                    << page.filename() << " shows: " << command;
                 continue;
             }
             const std::string arguments = madeSmall(argumentsOf(command));
             names.insert(arguments.substr(0, arguments.find(' ')));
             // What several pages show is run once.
-            if (isStudy(arguments) != studies || !run.insert(arguments).second)
+            const bool lacksDump =
+                !kHasLiggghts && arguments.find("liggghts.dump") != std::string::npos;
+            if (isStudy(arguments) != studies || lacksDump || !run.insert(arguments).second)
             {
                 continue;
             }

@@ -11,12 +11,13 @@
 namespace frostfill::test
 {
 
-/// Commands in code blocks, which are indented, and between backticks.
+/// Commands in code blocks, which are indented, and between backticks. A command of another program
+/// that goes on with our files, as "cd output/bed/export && liggghts ...", counts too.
 inline std::vector<std::string> commandsOf(const std::string& text)
 {
     static const std::regex kCommand(
         "(?:^|\\n)    ((?:build/release/)?frostfill [^\\n]*)|`((?:build/release/)?frostfill "
-        "[^`\\n]*)`|(?:^|\\n)    (gnuplot [^\\n]*)");
+        "[^`\\n]*)`|(?:^|\\n)    (cd [^\\n]* && liggghts [^\\n]*)");
     std::vector<std::string> commands;
     for (std::sregex_iterator it(text.begin(), text.end(), kCommand), end; it != end; ++it)
     {

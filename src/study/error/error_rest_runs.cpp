@@ -34,7 +34,7 @@ constexpr RestMethod kRestMethods[] = {
     {"joint", "granular", Rest::joint, Motion::granular, true},
 };
 
-/// Judges places alone, whoever has found them: how many would move if nobody held anything.
+/// Judges places alone, of any engine: how many spheres would move if all were free.
 ErrorPoint judged(const PeerTask& task, const std::vector<Eigen::Vector3d>& places)
 {
     const std::vector<double> radii(places.size(), 1);
