@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <regex>
 #include <set>
 #include <string>
@@ -288,10 +289,32 @@ std::string withoutCode(const std::string& page)
     return std::regex_replace(page, kBlock, "");
 }
 
-TEST(Documentation, EveryLinkLeadsToAFile)
+/// The anchors of a page's headings, as web sites make them: "#how-it-is-kept".
+std::set<std::string> anchorsOf(const std::string& page)
 {
-    static const std::regex kLink("\\]\\(([^)#]+)");
+    static const std::regex kHeading("\n#+ ([^\n]+)");
+    const std::string text = "\n" + withoutCode(page);
+    std::set<std::string> anchors;
+    for (std::sregex_iterator it(text.begin(), text.end(), kHeading), end; it != end; ++it)
+    {
+        std::string anchor;
+        for (const unsigned char c : (*it)[1].str())
+        {
+            if (std::isalnum(c) != 0 || c == '-' || c == '_' || c == ' ')
+            {
+                anchor += c == ' ' ? '-' : static_cast<char>(std::tolower(c));
+            }
+        }
+        anchors.insert(anchor);
+    }
+    return anchors;
+}
+
+TEST(Documentation, EveryLinkLeadsToAFileAndAHeading)
+{
+    static const std::regex kLink("\\]\\(([^)#]*)(#[^)]+)?\\)");
     std::size_t links = 0;
+    std::size_t anchors = 0;
     for (const auto& page : pages())
     {
         const std::string text = withoutCode(readFile(page));
@@ -302,12 +325,35 @@ TEST(Documentation, EveryLinkLeadsToAFile)
             {
                 continue;
             }
-            EXPECT_TRUE(std::filesystem::exists(page.parent_path() / target))
-                << page.filename() << " links to " << target;
+            const auto file = target.empty() ? page : page.parent_path() / target;
+            ASSERT_TRUE(std::filesystem::exists(file)) << page.filename() << " links to " << target;
             ++links;
+            if ((*it)[2].matched)
+            {
+                ++anchors;
+                EXPECT_EQ(anchorsOf(readFile(file)).count((*it)[2].str().substr(1)), 1U)
+                    << page.filename() << " links to " << target << (*it)[2];
+            }
         }
     }
-    EXPECT_GT(links, 10u);
+    EXPECT_GT(links, 100U);
+    EXPECT_GT(anchors, 10U);
+}
+
+TEST(Documentation, IsShort)
+{
+    std::size_t lines = 0;
+    for (const auto& page : pages())
+    {
+        const std::string text = readFile(page);
+        const auto count = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+        lines += page.filename() == "CONTRIBUTING.md" ? 0 : count;
+        if (page.filename() == "README.md")
+        {
+            EXPECT_LE(count, 100U);
+        }
+    }
+    EXPECT_LT(lines, 2500U);
 }
 
 } // namespace
