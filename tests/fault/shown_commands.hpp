@@ -93,16 +93,19 @@ inline std::string madeSmall(std::string arguments)
     }
     if (name == "fill")
     {
+        const bool settles = arguments.find("--fraction") != std::string::npos; // needs a bulk
         for (const char* option : {"count", "size", "max-frames"})
         {
             without(option);
         }
-        if (arguments.find("--inlet") == std::string::npos) // too narrow for larger spheres
+        if (arguments.find("--inlet") == std::string::npos &&
+            !settles) // too narrow for larger ones
         {
             without("radius");
         }
         const bool draws = arguments.find("--frames none") == std::string::npos;
-        small = draws ? " --count 6 --size 64x48 --max-frames 2" : " --count 6";
+        small = draws ? " --size 64x48 --max-frames 2" : "";
+        small += settles ? "" : " --count 6";
         if (arguments.find("--overwrite") == std::string::npos &&
             arguments.find("--resume") == std::string::npos)
         {
