@@ -168,10 +168,11 @@ TEST_F(CheckCommand, AnalyseDrawsPorosityOfLargeLengths)
     {
         GTEST_SKIP() << "gnuplot is not installed";
     }
-    writeFile(folder_ / "box.off", "OFF\n8 6 0\n0 0 0\n40 0 0\n40 0 40\n0 0 40\n0 40 0\n40 40 0\n"
-                                   "40 40 40\n0 40 40\n4 0 1 2 3\n4 0 4 5 1\n4 1 5 6 2\n"
-                                   "4 2 6 7 3\n4 3 7 4 0\n4 4 7 6 5\n");
-    writeFile(folder_ / "beads.csv", "x,y,z,radius\n10,5,10,5\n25,5,25,5\n");
+    writeFile(folder_ / "box.off",
+              "OFF\n8 6 0\n0 0 0\n400 0 0\n400 0 400\n0 0 400\n0 400 0\n400 400 0\n"
+              "400 400 400\n0 400 400\n4 0 1 2 3\n4 0 4 5 1\n4 1 5 6 2\n"
+              "4 2 6 7 3\n4 3 7 4 0\n4 4 7 6 5\n");
+    writeFile(folder_ / "beads.csv", "x,y,z,radius\n100,50,100,50\n250,50,250,50\n");
     const Answer answer =
         run("analyse beads.csv --mesh box.off --only porosity --figures --out found --quiet");
     EXPECT_EQ(answer.code, 0) << answer.errors;
