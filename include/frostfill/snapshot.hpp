@@ -78,8 +78,8 @@ struct Snapshot
     /// only waits for its fall to begin. It is neither drawn nor counted.
     std::vector<std::uint8_t> waiting;
     std::vector<PolygonState> polygons; ///< [#T] of the simulated mesh
-    /// Of the columns that whoever made the snapshot asks for, see carriedColumns(): capture fills
-    /// those that are here.
+    /// Of the columns that the snapshot's creator requests, see carriedColumns(): capture fills the
+    /// columns that are here.
     std::vector<ColumnValues> columns;
     Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< mesh coordinates; the box's centre
 

@@ -59,7 +59,7 @@ std::vector<std::string> exceeded(const CheckArguments& arguments, const Quality
     compare(arguments.mostOverlap, quality.maxOverlap, "largest overlap");
     compare(arguments.mostWallOverlap, quality.maxWallOverlap, "largest overlap with a wall");
     compare(arguments.mostOutside, quality.centresOutside + quality.notFinite, "centres outside");
-    compare(arguments.mostUnsupported, quality.unsupported, "spheres that nothing carries");
+    compare(arguments.mostUnsupported, quality.unsupported, "unsupported spheres");
     if (quality.equilibrium)
     {
         compare(arguments.mostUnbalanced, quality.equilibrium->unbalanced, "unbalanced spheres");
@@ -96,10 +96,9 @@ void printTable(const Packing& packing, const QualityReport& quality)
         fmt::format("{:.4g} of the smaller radius", quality.meanOverlap));
     row("largest overlap with a wall", fmt::format("{:.4g} of the radius", quality.maxWallOverlap));
     row("centres outside the mesh", fmt::format("{}", quality.centresOutside));
-    row("places that are no numbers", fmt::format("{}", quality.notFinite));
+    row("centres that are not finite", fmt::format("{}", quality.notFinite));
     const auto resting = std::count(packing.atRest.begin(), packing.atRest.end(), true);
-    row("spheres that nothing carries",
-        fmt::format("{} of {} at rest", quality.unsupported, resting));
+    row("unsupported spheres", fmt::format("{} of {} at rest", quality.unsupported, resting));
     if (quality.equilibrium)
     {
         printEquilibrium(*quality.equilibrium);

@@ -12,8 +12,8 @@
 namespace frostfill
 {
 
-/// A thread that does jobs one after the other, in the order in which they come. Whoever brings
-/// them faster than they are done has to wait, so that memory is bounded.
+/// A thread that does jobs one after the other, in the order in which they come. A caller
+/// that brings jobs faster than they are done has to wait, so that memory is bounded.
 class OrderedWorker
 {
 public:

@@ -12,7 +12,7 @@ namespace frostfill
 {
 
 /// A program that is spoken with by lines of text, through its standard input and output. What it
-/// writes is taken while it is written to, so neither waits for ever for the other to read. It
+/// writes is taken while it is written to, so neither waits forever for the other to read. It
 /// ends, and so do the programs that it has started, with this object.
 class ProgramTalk
 {

@@ -77,7 +77,7 @@ std::size_t Threads::gather(bool takeLong)
     const std::size_t awake = awake_.load(std::memory_order_acquire);
     if (awake < helpers_.size())
     {
-        handOut(0, 0, nullptr, nullptr); // whoever looks for a loop goes on looking
+        handOut(0, 0, nullptr, nullptr); // idle helpers go on looking for a loop
     }
     return atOnce_ > 0 ? atOnce_ : std::min(1 + (takeLong ? helpers_.size() : awake), cores_);
 }

@@ -33,7 +33,7 @@ class Threads
 public:
     /// 0 takes as many as there are cores.
     explicit Threads(int count);
-    /// `atOnce`: gather() always returns this, however few cores there are and whoever is asleep.
+    /// `atOnce`: gather() always returns this, however few cores there are, and asleep or not.
     Threads(int count, std::size_t atOnce) : Threads(count) { atOnce_ = atOnce; }
     ~Threads();
     Threads(const Threads&) = delete;

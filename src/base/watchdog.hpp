@@ -11,7 +11,7 @@ namespace frostfill
 {
 
 /// Ends the process, with a message on standard error, when this lives for too long: for calls of
-/// other libraries that can wait for ever and cannot be interrupted.
+/// other libraries that can wait forever and cannot be interrupted.
 class Watchdog
 {
 public:

@@ -161,6 +161,24 @@ TEST_F(CheckCommand, TakesTheColumnsOfATableByName)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "found/contacts.csv"));
 }
 
+// In millimetres: no length of the tables lies between 0 and 1, as porosities do.
+TEST_F(CheckCommand, AnalyseDrawsPorosityOfLargeLengths)
+{
+    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
+    {
+        GTEST_SKIP() << "gnuplot is not installed";
+    }
+    writeFile(folder_ / "box.off",
+              "OFF\n8 6 0\n0 0 0\n400 0 0\n400 0 400\n0 0 400\n0 400 0\n400 400 0\n"
+              "400 400 400\n0 400 400\n4 0 1 2 3\n4 0 4 5 1\n4 1 5 6 2\n"
+              "4 2 6 7 3\n4 3 7 4 0\n4 4 7 6 5\n");
+    writeFile(folder_ / "beads.csv", "x,y,z,radius\n100,50,100,50\n250,50,250,50\n");
+    const Answer answer =
+        run("analyse beads.csv --mesh box.off --only porosity --figures --out found --quiet");
+    EXPECT_EQ(answer.code, 0) << answer.errors;
+    EXPECT_GT(test::readFile(folder_ / "found/porosity.svg").size(), 10000U);
+}
+
 // In a cube that is half full, both say what they mean by the bulk.
 TEST_F(CheckCommand, AnalyseFindsTheBulkOfWhichFillTells)
 {

@@ -11,12 +11,15 @@
 namespace frostfill::test
 {
 
-/// Commands in code blocks, which are indented, and between backticks.
+/// Commands in code blocks, which are indented, and between backticks. A
+/// command of another program that goes on with our files, as "cd
+/// output/bed/export && liggghts ...", counts too.
 inline std::vector<std::string> commandsOf(const std::string& text)
 {
-    static const std::regex kCommand(
-        "(?:^|\\n)    ((?:build/release/)?frostfill [^\\n]*)|`((?:build/release/)?frostfill "
-        "[^`\\n]*)`|(?:^|\\n)    (frostfill-lab [^\\n]*)");
+    static const std::regex kCommand("(?:^|\\n)    ((?:build/release/)?frostfill "
+                                     "[^\\n]*)|`((?:build/release/)?frostfill "
+                                     "[^`\\n]*)`|(?:^|\\n)    (frostfill-lab "
+                                     "[^\\n]*|cd [^\\n]* && liggghts [^\\n]*)");
     std::vector<std::string> commands;
     for (std::sregex_iterator it(text.begin(), text.end(), kCommand), end; it != end; ++it)
     {
@@ -31,8 +34,8 @@ inline std::vector<std::string> commandsOf(const std::string& text)
     return commands;
 }
 
-/// The names in what `frostfill --help` prints: after "Commands:" a command a line, and what
-/// goes on from it is indented further.
+/// The names in what `frostfill --help` prints: after "Commands:" a command a
+/// line, and what goes on from it is indented further.
 inline std::vector<std::string> commandsOfHelp(const std::string& help)
 {
     std::istringstream lines(help.substr(help.find("Commands:")));
@@ -49,7 +52,8 @@ inline std::vector<std::string> commandsOfHelp(const std::string& help)
     return commands;
 }
 
-/// The program's arguments, without what explains them, with real names for placeholders.
+/// The program's arguments, without what explains them, with real names for
+/// placeholders.
 inline std::string argumentsOf(std::string command)
 {
     command = command.substr(command.find("frostfill ") + std::string("frostfill ").size());
@@ -90,16 +94,19 @@ inline std::string madeSmall(std::string arguments)
     }
     if (name == "fill")
     {
+        const bool settles = arguments.find("--fraction") != std::string::npos; // needs a bulk
         for (const char* option : {"count", "size", "set frames.limit"})
         {
             without(option);
         }
-        if (arguments.find("--inlet") == std::string::npos) // too narrow for larger spheres
+        if (arguments.find("--inlet") == std::string::npos &&
+            !settles) // too narrow for larger ones
         {
             without("radius");
         }
         const bool draws = arguments.find("--frames none") == std::string::npos;
-        small = draws ? " --count 6 --size 64x48 --set frames.limit=2" : " --count 6";
+        small = draws ? " --size 64x48 --set frames.limit=2" : "";
+        small += settles ? "" : " --count 6";
         if (arguments.find("--overwrite") == std::string::npos &&
             arguments.find("--resume") == std::string::npos)
         {

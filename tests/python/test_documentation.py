@@ -56,9 +56,11 @@ class Documentation(unittest.TestCase):
             self.assertIn(f"\n    {keyword}: ", frostfill.fill.__doc__)
 
     def test_the_code_on_the_pages_runs(self):
-        for page in ("README.md", "docs/python.md"):
-            blocks = re.findall(r"```python\n(.*?)```", (SOURCE / page).read_text(), re.S)
-            self.assertTrue(blocks, page)
+        pages = [SOURCE / "README.md", *sorted((SOURCE / "docs").glob("*.md"))]
+        found = {page.name: re.findall(r"```python\n(.*?)```", page.read_text(), re.S) for page in pages}
+        for page in ("README.md", "python.md", "tutorial.md", "sizes.md", "analysis.md"):
+            self.assertTrue(found[page], page)
+        for page, blocks in found.items():
             with tempfile.TemporaryDirectory() as folder:
                 here = pathlib.Path.cwd()
                 os.chdir(folder)

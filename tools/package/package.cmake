@@ -1,5 +1,5 @@
 # Debian packages, one for each component of the install. scripts/package makes them;
-# docs/packages.md says what is in them.
+# docs/install.md lists them.
 set(soversion ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(version ${PROJECT_VERSION}-1)
 set(CPACK_GENERATOR DEB)

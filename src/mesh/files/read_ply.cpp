@@ -65,7 +65,7 @@ public:
     }
 
 private:
-    /// A count beyond what the rest of the file can hold would fill the memory, or take for ever.
+    /// A count beyond what the rest of the file can hold would fill the memory, or take forever.
     void refuseEmptyPromise(const PlyElement& element) const
     {
         std::uint64_t least = 0;

@@ -25,7 +25,7 @@ bool answersTo(Backend choice, Backend asked)
            (asked == Backend::egl && choice != Backend::osmesa);
 }
 
-/// What Mesa maps for a context with its threads [bytes]. When it gets less it may wait for ever
+/// What Mesa maps for a context with its threads [bytes]. When it gets less it may wait forever
 /// for a thread that it could not start.
 constexpr std::size_t kContextBytes = std::size_t{768} << 20;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: what a picture is drawn from, whoever draws it: spheres and shell with their light and
-// colours, settings, what is dirty. It has the interface of what draws, and knows no OpenGL.
+// Room: the content of a picture for every backend: spheres and shell with their light and
+// colours, settings, dirty parts. It has the interface of a backend, and no OpenGL.
 #pragma once
 
 #include "render/framing/pixel_rectangle.hpp"

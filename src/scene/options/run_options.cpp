@@ -9,7 +9,7 @@ namespace
 constexpr double kLargestGroup = 1e6;
 constexpr double kMaxThreads = 1024;
 constexpr double kMaxSweeps = 1000;
-// What no run needs, and what would overflow, underflow or go on for ever in it.
+// What no run needs, and what would overflow, underflow or go on forever in it.
 constexpr double kLargestNumber = 1e9;
 constexpr double kLargestGravity = 1e6;
 constexpr double kLongestWait = 1e6;

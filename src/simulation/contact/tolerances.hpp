@@ -37,8 +37,8 @@ inline constexpr double kCarryingGap = 0.005;
 inline constexpr double kClearance = 1e-9;
 
 /// So much farther than it has looked a footprint reaches, for the rounding of sums taken in
-/// another order. [r] Larger: answers are found anew that have not changed. Smaller: one that has
-/// by a bit may be kept.
+/// another order. [r] Larger: answers that have not changed are computed again. Smaller: an answer
+/// that has changed by a bit may be kept.
 inline constexpr double kSeenBeyond = 1e-9;
 
 // Carrying: the share of the weight that a sphere's contacts may leave. It grows from kSettled,

@@ -18,7 +18,7 @@ namespace frostfill
 
 /// What is known of cubes that may hold a place for a sphere. Many obstacles ask for the same cube,
 /// which is searched only once until something comes to rest beside it. Several threads may ask at
-/// once: whoever searches a cube finds the same.
+/// once: every search of a cube finds the same.
 class HeldCubes
 {
 public:

@@ -19,8 +19,8 @@ public:
     /// Appends those at rest that touch the sphere: whatever it may carry.
     void findTouching(std::uint32_t id, std::vector<std::uint32_t>& found) const;
 
-    /// Calls wake(id) for spheres that nothing carries; it lets them run. Those that it may have
-    /// carried are looked at again, if they are among the ones that may wake: mayWake(id).
+    /// Calls wake(id) for unsupported spheres; it lets them run. Spheres that a woken one may have
+    /// supported are looked at again, if they are among the ones that may wake: mayWake(id).
     template <class MayWake, class Wake>
     void wakeUncarried(std::vector<std::uint32_t> toLookAt, MayWake&& mayWake, Wake&& wake)
     {

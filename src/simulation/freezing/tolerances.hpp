@@ -56,7 +56,7 @@ inline constexpr std::uint32_t kPatience = 8;
 inline constexpr std::uint32_t kPatienceInPile = 64;
 /// Where spheres roll, one that goes farther in a window gives way again, or one that has stood for
 /// long and then falls would strike others as if nothing could stop it [r]. Larger: it does. Much
-/// smaller: spheres that creep give way to one another for ever.
+/// smaller: spheres that creep give way to one another forever.
 inline constexpr double kYieldsAgain = 1;
 /// After which runners are moved far out of a sphere's place (kFarRoom). Larger: freezing takes
 /// longer. Smaller: runners jump where a little patience would do.
@@ -95,7 +95,7 @@ inline constexpr std::uint32_t kWindowsToFall = 9;
 // Waking. Which contacts hold a sphere at rest, and which share of the pull they may leave, stands
 // with the other tolerances of contact: kCarryingGap and kCarried in contact/tolerances.hpp.
 
-/// Times that what nothing carries is woken after the object has stopped. Larger: a sphere that is
+/// Times that unsupported spheres are woken after the object has stopped. Larger: a sphere that is
 /// frozen without support each time, for want of room, runs in vain for longer. Smaller: what the
 /// last ones carried is left hanging.
 inline constexpr int kMaxLooks = 10;

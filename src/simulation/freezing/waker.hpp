@@ -40,13 +40,12 @@ public:
     /// to move; it does so once, if at all.
     bool begin();
     /// To be called when nothing runs while it moves. Returns false when it has come to rest with
-    /// all in it, or when spheres that nothing carries have come to rest again and again: the judge
-    /// counts those.
+    /// all in it, or when unsupported spheres have come to rest too often: the judge counts those.
     bool wakeAgain();
     /// To be called at the end of each window. Returns whether the object has just stopped.
     bool stop();
-    /// To be called at the end of each window: wakes what nothing carries any more, when the pull's
-    /// direction has changed since the last look. Returns whether any has woken.
+    /// To be called at the end of each window: wakes spheres that are unsupported now, when the
+    /// pull's direction has changed since the last look. Returns whether any has woken.
     bool wakeWhenDue();
 
 private:

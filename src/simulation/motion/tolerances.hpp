@@ -61,7 +61,7 @@ inline constexpr double kStepsPerRadiusOfHeight = 200;
 // Vertical drop.
 
 /// So far below a place is the cell that a fall from it enters. [r] Larger: the fall may skip a
-/// triangle at a cell's edge. Smaller: rounding keeps it in the cell above for ever.
+/// triangle at a cell's edge. Smaller: rounding keeps it in the cell above forever.
 inline constexpr double kJustBelow = 1e-7;
 
 } // namespace frostfill

@@ -14,8 +14,8 @@
 namespace frostfill
 {
 
-/// What a draw of a ceiling leads to. Whoever takes draws reads one line of memory of each; the
-/// footprint is for whoever finds them out, mostly another thread.
+/// What a draw of a ceiling leads to. A thread that takes draws reads one line of memory of each;
+/// the footprint is for the thread that computes them, mostly another one.
 struct alignas(64) Draw
 {
     /// Which one, for a sphere of which radius.

@@ -164,8 +164,8 @@ inline constexpr double kFastestOpening = 0.5;
 /// Larger: creeping keeps high piles from rest. Smaller: spheres hang that only kept forces pinch,
 /// and move in another program.
 inline constexpr double kSlideForgotten = 0.3;
-/// Contacts from which a sphere is held in any direction. On fewer it stands as a pencil does on
-/// its tip, unless something resists rolling.
+/// Contacts from which a sphere is held in any direction. On fewer it is unstable,
+/// unless something resists rolling.
 inline constexpr int kContactsThatHold = 3;
 /// Drag of those, and of what moves where few do [1/sqrt(r/g)]. Larger: single spheres roll for
 /// long. Smaller: they swing for long where a wall is round.

@@ -41,7 +41,7 @@ public:
     /// The same as if each runner had this radius, by row [r].
     void findPairs(std::span<const double> radii, const Found& found = doNothing);
     /// Runners that the last search has found near this one, by row, ascending. One that has begun
-    /// to run since has those of whoever had its row before.
+    /// to run since has those of the sphere that had its row before.
     [[nodiscard]] const std::vector<std::uint32_t>& nearby(std::uint32_t row) const
     {
         return nearby_[row];

@@ -6,9 +6,9 @@
 namespace frostfill
 {
 
-// Whoever is taken out may have carried others, so these are looked at again. What is at rest may
-// give a runner back that has crept into it, so all have been moved before any looks where others
-// are.
+// A sphere that is taken out may have supported others, so these are looked at again. What is at
+// rest may give a runner back that has crept into it, so all have been moved before any looks where
+// others are.
 void SupportIsland::keep(std::vector<std::uint32_t>& members)
 {
     member_.assign(running_.size(), 0);

@@ -62,7 +62,7 @@ void Turns::findTurnsOf(std::uint32_t slot)
     }
 }
 
-// Whoever is changed has its own turn first, which comes before those of all above it.
+// A sphere's own turn precedes those of its neighbours above it.
 Turns::Turn Turns::turnOf(std::uint32_t slot, std::uint32_t changed) const
 {
     Turn turn = {changed, 0, 1};

@@ -46,9 +46,9 @@ protected:
     std::uint32_t rows_ = 0;
 };
 
-/// A value for each running sphere, kept by whoever declares it. To declare it is all: it follows
-/// the rows from then on. Rows that are gone keep their value, and so its memory, for those to
-/// come. Large values stay where they are in memory while their rows change places.
+/// A value for each running sphere, kept by the part that declares it. To declare it is all: it
+/// follows the rows from then on. Rows that are gone keep their value, and so its memory, for those
+/// to come. Large values stay where they are in memory while their rows change places.
 template <class T>
 class RunningColumn final : private RowFollower
 {

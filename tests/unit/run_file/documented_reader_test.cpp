@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The reader in docs/run-file.md reads what the library writes.
+// The reader in examples/ that docs/run-file.md names reads what the library writes.
 #include "support/temporary_folder.hpp"
 #include "unit/run_file/recorded_run.hpp"
 
@@ -21,14 +21,6 @@ using test::writeFile;
 /// Debian's own interpreter, for which its modules are.
 constexpr const char* kPython = "/usr/bin/python3";
 
-std::string codeOfThePage()
-{
-    const std::string page = readFile(FROSTFILL_DOCS "/run-file.md");
-    const std::string begin = "```python\n";
-    const std::size_t from = page.find(begin) + begin.size();
-    return page.substr(from, page.find("```", from) - from);
-}
-
 int run(const std::string& command)
 {
     return std::system(command.c_str()); // NOLINT(cert-env33-c): of our own words
@@ -44,8 +36,8 @@ TEST(DocumentedReader, ReadsEveryFrameAndTheRestingPlacesExactly)
     Scene scene = presetScene(Preset::fast, "torus");
     scene.spheres.count = 40;
     const test::RecordedRun recorded = test::recordRun(scene, folder / "run.frost");
-    const std::string code = codeOfThePage();
-    EXPECT_LE(std::count(code.begin(), code.end(), '\n'), 64);
+    const std::string code = readFile(FROSTFILL_EXAMPLES "/read_run.py");
+    EXPECT_LE(std::count(code.begin(), code.end(), '\n'), 66);
     writeFile(folder / "reader.py", code);
     writeFile(folder / "all.py",
               "import sys, numpy as np, reader\n"

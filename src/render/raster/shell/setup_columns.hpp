@@ -52,7 +52,7 @@ struct SetupColumns
     Mask lines;                   ///< whether any line is
 };
 
-/// Many floats at a time: one by one takes longer, and whoever reads several at once has to wait.
+/// Many floats at a time: one by one takes longer, and a reader of several at once has to wait.
 FROSTFILL_INLINE void write(const SetupColumns& columns,
                             std::array<ShellRaster::Setup, kLanes>& setups)
 {

@@ -1,4 +1,18 @@
-"""Reads a page with Python's standard library and compares every number of every frame with oracle.json."""
+"""Reads a page with Python's standard library and compares every number of every frame with oracle.json.
+
+The script `facts` of a page is JSON: scene, summary, colours, strokes. The script `sections` is base64 of a zlib stream of the
+sections that facts.sections names, each with its length. Counts, differences and ids are written as docs/run-file.md says.
+
+    points, normals, creases: corners of the shell in unit space, as floats; 16-bit normals; distances from creases
+    triangles: differences of three numbers of corners each
+    edges, edgeKinds: the triangles beside each edge, in which corner it is not, how strongly it is drawn
+    ground: how dark each corner of the grid studio.ground is, 255 for black
+    walls: the spheres that touch walls in the last frame: how many; of each the difference of its id, its place as three differences from 0, and of each wall the direction away from it over 32767, the height of the centre over 32767 radii, and how much the wall bends over 255
+    frames, times, poses, changes, state, x, y, z, radius, group, speed, contacts:uint32: the frames, in the streams of the run file, without exact
+
+Places are in units of film.step from origin, radii in units of film.radius_step; a speed of 255 is film.fastest, or more.
+film.columns says of radius, group and speed when they change; film.carried names the streams of the other columns.
+"""
 import base64
 import collections
 import json

@@ -1,0 +1,1 @@
+int nothingCarries = 0; // whoever reads this has to guess
