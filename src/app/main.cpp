@@ -159,6 +159,15 @@ constexpr NamedCommand kCommands[] = {
     {"doctor", addDoctorCommand},
 };
 
+/// Adds what prints help, as the last of the options.
+void addHelp(CLI::App& command)
+{
+    const std::vector<std::string> groups = command.get_groups();
+    const std::string last = groups.back() == "Output" ? "Output" : "Options";
+    command.set_help_flag("-h,--help", "Print this help")->group(last);
+    command.set_help_all_flag("--help-all", "Print all: the keys of the scene, too")->group(last);
+}
+
 /// Adds the command that the first word names, or all: to describe the options of all of them takes
 /// longer than to start the program.
 std::vector<std::pair<std::string, Command>> addCommands(CLI::App& program,
@@ -173,12 +182,7 @@ std::vector<std::pair<std::string, Command>> addCommands(CLI::App& program,
         {
             added.emplace_back(each.name, each.add(program));
             CLI::App* command = program.get_subcommand(each.name);
-            const bool hasOutput =
-                each.name == std::string_view("fill") || each.name == std::string_view("render");
-            for (const char* help : {"--help", "--help-all"})
-            {
-                command->get_option(help)->group(hasOutput ? "Output" : "Options");
-            }
+            addHelp(*command);
             command->group("Commands");
         }
     }
@@ -205,6 +209,13 @@ std::vector<std::string> wordsOf(int count, char** arguments)
     return words;
 }
 
+bool hasOption(const CLI::App& command, const std::string& flag)
+{
+    const auto options = command.get_options();
+    return std::any_of(options.begin(), options.end(),
+                       [&](const CLI::Option* option) { return option->check_name(flag); });
+}
+
 /// Throws Error usage for a flag of earlier versions that the command does not have.
 void refuseFormerFlags(const CLI::App& program, const std::vector<std::string>& words)
 {
@@ -219,9 +230,8 @@ void refuseFormerFlags(const CLI::App& program, const std::vector<std::string>& 
                                       : hasNext                   ? words[i + 1]
                                                                   : "";
             const bool isFlag = flag.starts_with("--") && command->get_subcommands(nullptr).empty();
-            const std::string text = isFlag && command->get_option_no_throw(flag) == nullptr
-                                         ? formerFlagText(flag, value)
-                                         : "";
+            const std::string text =
+                isFlag && !hasOption(*command, flag) ? formerFlagText(flag, value) : "";
             if (!text.empty())
             {
                 throw Error(ErrorCode::usage, text);
@@ -235,8 +245,7 @@ int run(int argumentCount, char** arguments)
     CLI::App program("Fills a closed mesh with falling spheres and renders it without a screen.",
                      "frostfill");
     program.set_version_flag("--version", std::string("frostfill ") + FROSTFILL_VERSION);
-    program.set_help_all_flag("--help-all", "Print all: keys of the scene, too");
-    program.set_help_flag("-h,--help", "Print this help");
+    addHelp(program);
     program.footer(kUsage);
     program.formatter(std::make_shared<HelpFormatter>(sceneKeysText));
     program.require_subcommand(1);

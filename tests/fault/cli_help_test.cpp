@@ -210,7 +210,8 @@ TEST_F(HelpCommands, WhatFollowsFromAnOptionIsSaidInALine)
     EXPECT_NE(granular.errors.find("frostfill: --motion granular implies --rest joint\n"),
               std::string::npos)
         << granular.errors;
-    const Answer fraction = run(grains + "--fraction 0.6 --friction 0.3 --dry-run");
+    const Answer fraction =
+        run("fill cube --radius 0.1 --count 200 --fraction 0.6 --friction 0.3 --dry-run");
     EXPECT_EQ(fraction.code, 0) << fraction.errors;
     EXPECT_NE(fraction.errors.find("frostfill: --fraction implies --rest joint\n"),
               std::string::npos)

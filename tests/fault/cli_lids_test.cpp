@@ -117,7 +117,8 @@ TEST_F(OpenMeshes, TheCommandMeshTellsWhatEachOptionWouldDo)
 {
     const Answer open = run("mesh tub.obj");
     EXPECT_EQ(open.code, 65);
-    EXPECT_NE(open.output.find("with --lid         volume 8, area 24\n"), std::string::npos)
+    EXPECT_NE(open.output.find("with --lid                          volume 8, area 24\n"),
+              std::string::npos)
         << open.output;
     EXPECT_NE(open.output.find(
                   "with --wrap auto                   the program frostfill-wrap is missing"),
@@ -128,7 +129,8 @@ TEST_F(OpenMeshes, TheCommandMeshTellsWhatEachOptionWouldDo)
     EXPECT_EQ(crossing.code, 0) << crossing.errors;
     EXPECT_NE(crossing.output.find("obstacles, which --set object.unite=true removes"),
               std::string::npos);
-    EXPECT_NE(crossing.output.find("with --lid         changes nothing"), std::string::npos)
+    EXPECT_NE(crossing.output.find("with --lid                          changes nothing"),
+              std::string::npos)
         << crossing.output;
     EXPECT_EQ(crossing.output.find("missing"), std::string::npos) << "it can be filled as it is";
 

@@ -47,8 +47,8 @@ class Arrays(unittest.TestCase):
 
     def test_of_every_step_are_those_of_a_fresh_snapshot(self):
         """Only what has changed is renewed; in a twin, each snapshot is made from nothing."""
-        stepped = frostfill.Simulation("torus", count=60, groups_per_set=1)
-        twin = frostfill.Simulation("torus", count=60, groups_per_set=1)
+        stepped = frostfill.Simulation("torus", count=60, spheres_groups_per_set=1)
+        twin = frostfill.Simulation("torus", count=60, spheres_groups_per_set=1)
         kept = []
         for snapshot in stepped:
             twin.step()

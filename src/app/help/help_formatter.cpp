@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <regex>
 #include <utility>
 
@@ -36,11 +35,7 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name,
                                      CLI::AppFormatMode mode) const
 {
     std::string text = make_description(app) + make_usage(app, name) + make_positionals(app);
-    std::vector<std::string> groups = app->get_groups();
-    // CLI11 has that of --help first.
-    std::stable_partition(groups.begin(), groups.end(),
-                          [](const std::string& group) { return group != "Output"; });
-    for (const std::string& group : groups)
+    for (const std::string& group : app->get_groups())
     {
         const auto options =
             app->get_options([&](const CLI::Option* option)
