@@ -14,8 +14,10 @@ import os
 import subprocess
 import sys
 import tempfile
+import threading
 
 POISSON = 0.3
+LEAST_RESTITUTION = 0.051  # that LIGGGHTS takes
 SHARE_OF_RAYLEIGH = 0.2  # as its own manual advises
 STIFFNESS = float(os.environ.get("STIFFNESS", 4.5e4))
 
@@ -82,12 +84,20 @@ class Liggghts:
         # Without a log or a screen it crashes at the mesh.
         self.program = subprocess.Popen(["liggghts", "-log", os.devnull], cwd=folder, text=True,
                                         stdin=subprocess.PIPE, stdout=subprocess.DEVNULL)
+        threading.Thread(target=self.watch, daemon=True).start()
         columns = list(zip(*task["vertices"]))
         self.say(SETUP.format(
             low=[min(column) - 2 for column in columns], high=[max(column) + 2 for column in columns],
-            stiffness=STIFFNESS, poisson=POISSON, restitution=task["restitution"], friction=task["friction"],
+            stiffness=STIFFNESS, poisson=POISSON, friction=task["friction"],
+            restitution=max(task["restitution"], LEAST_RESTITUTION),
             tangential="history" if task["friction"] > 0 else "off", step=task["step"] / self.steps,
             stl="object.stl"))
+
+    def watch(self):
+        """Without LIGGGHTS there is nothing to wait for."""
+        if self.program.wait() != 0:
+            os.write(2, b"LIGGGHTS has failed\n")
+            os._exit(1)
 
     def say(self, text):
         self.program.stdin.write(text)

@@ -41,7 +41,13 @@ struct LabRequest
     std::vector<std::string> engines; ///< each NAME=PROGRAM
     std::filesystem::path folder = "output/lab";
 
-    void write(const std::string& name, const Table& table) const { saveCsv(table, folder / name); }
+    /// And shows it, if it is short.
+    void write(const std::string& name, Table table) const
+    {
+        saveCsv(table, folder / name);
+        table.title = (folder / name).string();
+        fmt::print("{}\n", table.rows.size() > kMostShown ? table.title : formatText(table));
+    }
     [[nodiscard]] std::vector<ProgramPeer> peers() const
     {
         std::vector<ProgramPeer> read = readProgramPeers(engines);

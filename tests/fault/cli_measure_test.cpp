@@ -170,6 +170,8 @@ TEST_F(Laboratory, TellsHowEachCostGrowsWithTriangles)
         EXPECT_NE(answer.output.find(cost), std::string::npos) << answer.output;
     }
     EXPECT_EQ(lines(readFile(folder_ / "here/triangles.csv")), 1 + 3);
+    EXPECT_NE(answer.output.find("here/triangles.csv\ntriangles"), std::string::npos)
+        << "the table that it writes is shown";
 }
 
 TEST_F(Laboratory, WritesTheTablesOfItsFigures)
