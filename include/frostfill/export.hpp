@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -109,3 +110,4 @@ using ExportProgress = std::function<bool(std::size_t done, std::size_t all)>;
 ExportResult exportRun(const ExportRequest& request, const ExportProgress& progress = {});
 
 } // namespace frostfill
+#pragma GCC visibility pop

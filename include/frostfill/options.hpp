@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -144,3 +145,4 @@ void impliesUntilFull(const Given& given, Scene& scene)
 }
 
 } // namespace frostfill
+#pragma GCC visibility pop

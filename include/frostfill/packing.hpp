@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -70,3 +71,4 @@ struct PackingFileOptions
                                          const JudgeSettings& settings = {});
 
 } // namespace frostfill
+#pragma GCC visibility pop

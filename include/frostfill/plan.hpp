@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -41,3 +42,4 @@ struct RenderPlan
 [[nodiscard]] RenderPlan planRender(const RenderRequest& request);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -334,3 +335,4 @@ void validateScene(const Scene& scene);
                                   const TriangleMesh& mesh);
 
 } // namespace frostfill
+#pragma GCC visibility pop
