@@ -36,8 +36,8 @@ std::string placeholder(const Option& option)
         what = "X|X..Y|FILE";
         break;
     case OptionType::text:
-        what = option.texts().empty() ? option.placeholder
-                                      : fmt::format("{}", fmt::join(option.texts(), "|"));
+        what = option.choices.empty() ? option.placeholder
+                                      : fmt::format("{}", fmt::join(option.choices, "|"));
         break;
     }
     for (const auto& [word, number] : option.words)

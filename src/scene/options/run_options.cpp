@@ -117,7 +117,6 @@ void addSpheres(TableBuilder& table)
         .add("spheres.groups_per_set", "--groups-per-set", "Groups in a set: they appear together",
              FROSTFILL_FIELD(spheres.groupsPerSet))
         .range(1, kLargestGroup);
-    table.add("spheres.release", "", "Where spheres appear", FROSTFILL_FIELD(spheres.release));
     table.add("spheres.inlets", "--inlet",
               "Openings through which spheres come in, until the heap below reaches them: centre "
               "and radius [mesh unit], several separated by semicolons",

@@ -64,20 +64,15 @@ private:
 
 } // namespace
 
-PartTable<FreezingRule, MakeFreezing>& freezingRules()
-{
-    static PartTable<FreezingRule, MakeFreezing> table = {
-        [](const World&) { return std::make_unique<OneByOne>(); },
-        [](const World&) { return std::make_unique<BySet>(); },
-    };
-    return table;
-}
-
 std::unique_ptr<FreezingPart> makeFreezing(const World& world)
 {
     const FreezingSettings& settings = world.scene.freezing;
     const FreezingRule usual = settings.bySet ? FreezingRule::bySet : FreezingRule::oneByOne;
-    return freezingRules()[settings.rule.value_or(usual)](world);
+    if (settings.rule.value_or(usual) == FreezingRule::bySet)
+    {
+        return std::make_unique<BySet>();
+    }
+    return std::make_unique<OneByOne>();
 }
 
 } // namespace frostfill
