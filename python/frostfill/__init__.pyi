@@ -37,7 +37,6 @@ def fill(
         until_full: bool = ...,
         group_size: int = ...,
         groups_per_set: int = ...,
-        spheres_release: Literal['ceilings'] = ...,
         inlet: str | int | Sequence[float] | Sequence[str] = ...,
         seed: int = ...,
         gravity: float = ...,
@@ -313,7 +312,6 @@ class Simulation:
         until_full: bool = ...,
         group_size: int = ...,
         groups_per_set: int = ...,
-        spheres_release: Literal['ceilings'] = ...,
         inlet: str | int | Sequence[float] | Sequence[str] = ...,
         seed: int = ...,
         gravity: float = ...,
@@ -577,10 +575,8 @@ class Picture(NDArray[numpy.uint8]):
 def read_packing(path: str | PathLike[str], *, radius: float | None = ..., columns: Mapping[str, str | int] | None = ...) -> Packing:
     """Reads spheres from a file of any program, for frostfill.check and frostfill.analyse.
 
-    path: a run, a table (CSV), XYZ, a dump or data file of LAMMPS or LIGGGHTS, the text of YADE,
-    a data file of MercuryDPM, particle_input.dat of MFiX, or the binary of packing-generation; of several
-    moments the last. radius: of all
-    spheres of a file that has none. columns: which columns of a table are x, y, z and radius or
+    path: a run, a table (CSV), XYZ, a dump or data file of LAMMPS or LIGGGHTS, or the text
+    of YADE; of several moments the last. radius: of all spheres of a file that has none. columns: which columns of a table are x, y, z and radius or
     diameter, by name or by number from 1, where they have other names."""
 
 class Packing(NamedTuple):
@@ -870,7 +866,6 @@ def volume(
         until_full: bool = ...,
         group_size: int = ...,
         groups_per_set: int = ...,
-        spheres_release: Literal['ceilings'] = ...,
         inlet: str | int | Sequence[float] | Sequence[str] = ...,
         seed: int = ...,
         gravity: float = ...,
