@@ -26,7 +26,6 @@ target_sources(frostfill_render PUBLIC FILE_SET HEADERS BASE_DIRS ${public} FILE
     ${public}/frostfill/packing.hpp
     ${public}/frostfill/page.hpp
     ${public}/frostfill/picture_settings.hpp
-    ${public}/frostfill/plan.hpp
     ${public}/frostfill/plan_fill.hpp
     ${public}/frostfill/render_run.hpp
     ${public}/frostfill/renderer.hpp

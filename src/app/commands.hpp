@@ -23,7 +23,6 @@ Command addFpsCommand(CLI::App& program);
 Command addImportCommand(CLI::App& program);
 Command addMeshCommand(CLI::App& program);
 Command addDoctorCommand(CLI::App& program);
-Command addPlanCommand(CLI::App& program);
 Command addRenderCommand(CLI::App& program);
 Command addSweepCommand(CLI::App& program);
 Command addViewCommand(CLI::App& program);

@@ -196,7 +196,6 @@ constexpr NamedCommand kCommands[] = {
     {"render", addRenderCommand},
     {"view", addViewCommand},
     {"sweep", addSweepCommand},
-    {"plan", addPlanCommand},
     {"fps", addFpsCommand},
     {"bench", addBenchCommand},
     {"check", addCheckCommand},

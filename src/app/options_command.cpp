@@ -73,7 +73,7 @@ std::string rowsOf(const CommandText& command)
     for (const OptionText& option : command.options)
     {
         if (option.names.back() == "--help" ||
-            ((command.name == "fill" || command.name == "render" || command.name == "plan") &&
+            ((command.name == "fill" || command.name == "render") &&
              isSceneOption(option.names.front())))
         {
             continue;

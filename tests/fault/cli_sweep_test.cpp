@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands sweep and plan, dry runs and progress for programs, as their user meets them.
+// The command sweep, dry runs and progress for programs, as their user meets them.
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -7,8 +7,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -133,8 +131,7 @@ TEST_F(SweepCommand, SaysWhatIsWrongBeforeAnythingIsWritten)
                                                   {"sweep sweep.toml --shard 9/8", 64},
                                                   {"sweep sweep.toml --shard slurm", 64},
                                                   {"sweep sweep.toml --allow-incomplete", 64},
-                                                  {"sweep sweep.toml --json-progress 77", 64},
-                                                  {"plan sweep.toml --size 64x48", 64}})
+                                                  {"sweep sweep.toml --json-progress 77", 64}})
     {
         const Answer answer = run(arguments, "SLURM_ARRAY_TASK_ID=");
         EXPECT_EQ(answer.code, code) << arguments << answer.errors;
@@ -179,34 +176,6 @@ TEST_F(SweepCommand, ProgressForProgramsIsLinesOfJsonWithTheExitCodeAtTheEnd)
     expectProgress(failed, "loading", 66);
     EXPECT_NE(failed.back().at("message").get<std::string>().find("nowhere.stl"),
               std::string::npos);
-}
-
-TEST_F(SweepCommand, PlansHaveTheFiguresThatSlurmAsksFor)
-{
-    const Answer sweep = run("plan sweep.toml");
-    EXPECT_EQ(sweep.code, 0) << sweep.errors;
-    EXPECT_TRUE(std::regex_search(
-        sweep.output, std::regex("8 runs; about [0-9.]+ s on one core, [0-9.]+ MB of files")))
-        << sweep.output;
-    EXPECT_TRUE(std::regex_search(
-        sweep.output,
-        std::regex("--array=0-3 --cpus-per-task=1 --time=00:0[0-9]:00 --mem=[0-9]+M")))
-        << sweep.output;
-    // Twice what is said, and two minutes, in whole minutes.
-    std::smatch asked;
-    ASSERT_TRUE(std::regex_search(
-        sweep.output, asked,
-        std::regex("--array=0-0 .*--time=00:([0-9]+):00 --mem=.*# ([0-9.]+) s a task at most")))
-        << sweep.output;
-    EXPECT_EQ(std::stod(asked[1]), std::ceil((2 * std::stod(asked[2]) + 120) / 60)) << sweep.output;
-    EXPECT_FALSE(isThere("output"));
-    EXPECT_EQ(run("fill cube --count 8 --size 64x48 --duration 0.5 --quiet --out run").code, 0);
-    const Answer render = run("plan run --tasks 5");
-    EXPECT_EQ(render.code, 0) << render.errors;
-    EXPECT_TRUE(std::regex_search(render.output, std::regex("[0-9]+ pictures; about")))
-        << render.output;
-    EXPECT_NE(render.output.find("--array=0-4 "), std::string::npos) << render.output;
-    EXPECT_FALSE(isThere("run/render"));
 }
 
 } // namespace

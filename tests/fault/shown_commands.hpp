@@ -80,15 +80,13 @@ inline std::string madeSmall(std::string arguments)
     {
         return arguments;
     }
-    if (name == "render" || name == "plan")
+    if (name == "render")
     {
         without("size");
         without("supersample");
-        const bool drawsAll = name == "render" && arguments.find("--shard") == std::string::npos &&
+        const bool drawsAll = arguments.find("--shard") == std::string::npos &&
                               arguments.find("--gather") == std::string::npos;
-        const bool isRun = arguments.find(".toml") == std::string::npos;
-        small = isRun ? " --size 64x48" : "";
-        return arguments + small + (drawsAll ? " --overwrite" : "");
+        return arguments + " --size 64x48" + (drawsAll ? " --overwrite" : "");
     }
     if (name == "fill")
     {
