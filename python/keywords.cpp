@@ -75,7 +75,7 @@ py::dict rowOf(const Option& option)
     row["help"] = option.help;
     row["type"] = typeName(option.type);
     row["allowed"] = describeAllowed(option);
-    row["choices"] = option.texts();
+    row["choices"] = option.choices;
     std::vector<std::string> words;
     for (const auto& [word, number] : option.words)
     {

@@ -92,7 +92,7 @@ std::optional<std::string> textOf(const Option& option, py::handle value)
     }
     if (isBoolean(value))
     {
-        const auto& texts = option.texts();
+        const auto& texts = option.choices;
         const bool switches = std::find(texts.begin(), texts.end(), "on") != texts.end();
         return switches ? std::optional<std::string>(value.cast<bool>() ? "on" : "off")
                         : std::nullopt;
@@ -108,7 +108,7 @@ std::optional<std::string> textOf(const Option& option, py::handle value)
                                                       : std::nullopt;
     }
     constexpr std::size_t kMaxParts = 100000;
-    if (!isSequence(value) || !option.texts().empty() || py::len(value) == 0 ||
+    if (!isSequence(value) || !option.choices.empty() || py::len(value) == 0 ||
         py::len(value) > kMaxParts)
     {
         return std::nullopt;

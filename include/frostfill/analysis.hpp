@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -214,3 +215,4 @@ std::vector<std::string> writeAnalysis(const PackingAnalysis& analysis,
 [[nodiscard]] std::string analysisSummary(const PackingAnalysis& analysis);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -44,3 +45,4 @@ void parseContacts(const std::string& text, BedSettings& settings);
 void checkBedSettings(const BedSettings& settings);
 
 } // namespace frostfill
+#pragma GCC visibility pop

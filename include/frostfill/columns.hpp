@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -147,3 +148,4 @@ private:
                                              const Column& column);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -37,3 +38,4 @@ private:
 };
 
 } // namespace frostfill
+#pragma GCC visibility pop

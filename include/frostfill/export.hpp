@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -21,27 +22,24 @@ enum class ExportFormat
 {
     vtp,          ///< VTK PolyData a frame, spheres and mesh, and a .pvd over all: ParaView
     lammpsDump,   ///< one text file of all frames: LAMMPS, OVITO, VMD
-    lammpsData,   ///< the packing as atom_style sphere, for read_data
     xyz,          ///< extended XYZ of all frames: OVITO, ASE
     glb,          ///< glTF 2.0 with an animation; each sphere is a node: Blender, F3D
     glbInstanced, ///< the packing as glTF 2.0 with EXT_mesh_gpu_instancing: three.js, Babylon.js
-    ply,          ///< a binary table of spheres a frame
     csv,          ///< a text table of spheres a frame, states as numbers
     npz,          ///< NumPy arrays of all frames
     // Inputs of other programs, which go on from the packing. Friction, restitution and gravity are
     // those of the run.
     liggghts,   ///< an input script of LIGGGHTS, a data file, and the walls as STL
-    lammps,     ///< an input script of LAMMPS and a data file
+    lammps,     ///< an input script of LAMMPS, and a data file of atom_style sphere
     yade,       ///< a Python script of YADE, and tables of spheres and walls
     mercuryDpm, ///< a data file of MercuryDPM (format 14)
     mfix,       ///< particle_input.dat of MFiX, version 2.0
     lethe,      ///< a list of particles that Lethe inserts
     openmc,     ///< a Python module that makes a lattice of spheres for OpenMC
-    gmsh,       ///< a .geo script whose volumes are the spheres (OpenCASCADE)
     // Geometry of one frame; see BedSettings.
     stlBed,   ///< one closed surface of spheres and container
     openFoam, ///< a case of OpenFOAM
-    gmshBed,  ///< exact spheres and container for gmsh
+    gmsh,     ///< exact spheres and container for gmsh (OpenCASCADE)
     vti,      ///< distances and labels of voxels for VTK
     npy,      ///< the same for NumPy
 };
@@ -55,7 +53,7 @@ struct ExportFormatInfo
 };
 
 [[nodiscard]] std::span<const ExportFormatInfo> exportFormats();
-/// Throws Error usage with the nearest name.
+/// Throws Error usage with the nearest name, or with the name of what replaces a former format.
 [[nodiscard]] const ExportFormatInfo& exportFormat(std::string_view name);
 
 /// Options of the command `export` that only some formats take, without dashes: "measure",
@@ -109,3 +107,4 @@ using ExportProgress = std::function<bool(std::size_t done, std::size_t all)>;
 ExportResult exportRun(const ExportRequest& request, const ExportProgress& progress = {});
 
 } // namespace frostfill
+#pragma GCC visibility pop

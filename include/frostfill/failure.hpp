@@ -5,6 +5,7 @@
 
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -19,3 +20,4 @@ struct Failure
 [[nodiscard]] Failure currentFailure();
 
 } // namespace frostfill
+#pragma GCC visibility pop

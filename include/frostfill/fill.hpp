@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -153,3 +154,4 @@ struct FillResult
 [[nodiscard]] std::string setTableText(const FillResult& result, std::size_t mostRows = 24);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -63,3 +64,4 @@ public:
 };
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -57,3 +58,4 @@ using ImportProgress = std::function<bool(std::size_t done, std::size_t all)>;
 ImportResult importRun(const ImportRequest& request, const ImportProgress& progress = {});
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -29,7 +30,7 @@ struct OperationCounts
         return runningRunningResponses + runningFrozenResponses + spherePolygonResponses;
     }
     OperationCounts& operator+=(const OperationCounts& other);
-    friend OperationCounts operator-(const OperationCounts& a, const OperationCounts& b);
+    [[nodiscard]] OperationCounts operator-(const OperationCounts& other) const;
     friend bool operator==(const OperationCounts&, const OperationCounts&) = default;
 };
 
@@ -83,3 +84,4 @@ struct MachineInfo
 [[nodiscard]] MachineInfo describeMachine();
 
 } // namespace frostfill
+#pragma GCC visibility pop

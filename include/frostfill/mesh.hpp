@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -147,3 +148,4 @@ struct LoadMeshOptions
 void savePly(const TriangleMesh& mesh, const std::filesystem::path& file);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -51,8 +52,6 @@ struct Option
     std::string placeholder = "TEXT";      ///< of a text in the help
     std::string form = "text";             ///< description of a text: "a size such as 1280x720"
     std::vector<std::string> choices = {}; ///< of a text; empty: any text
-    /// The same where parts can be added later (see scene/part_names.hpp): `choices` are built in.
-    const std::vector<std::string>* parts = nullptr;
     std::vector<std::pair<std::string, double>> words = {}; ///< words for numbers
     OptionRange range = {};
     std::optional<Preset> preset = {}; ///< the only preset that uses it; empty: both do
@@ -61,9 +60,6 @@ struct Option
     /// Takes a value of `get` or one that setOption has checked. Returns false for a text that it
     /// cannot read.
     std::function<bool(Scene&, const OptionValue&)> set = {};
-
-    /// The texts that are allowed now; empty: any text.
-    [[nodiscard]] const std::vector<std::string>& texts() const { return parts ? *parts : choices; }
 };
 
 /// Every setting, in the order of the files and the help.
@@ -170,3 +166,4 @@ std::string impliesJointRest(const Given& given, Scene& scene)
 }
 
 } // namespace frostfill
+#pragma GCC visibility pop

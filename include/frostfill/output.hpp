@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -102,3 +103,4 @@ void writeSpheresCsv(std::size_t count, const std::function<SphereRecord(std::si
 void writePolygonsCsv(std::span<const PolygonState> polygons, const std::filesystem::path& file);
 
 } // namespace frostfill
+#pragma GCC visibility pop

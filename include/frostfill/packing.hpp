@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -55,10 +56,9 @@ struct PackingFileOptions
 
 /// Reads spheres from the directory of a run, a run file, a table of text with columns x, y, z and
 /// radius (CSV, or separated by semicolons or spaces), extended XYZ, a dump or data file of LAMMPS
-/// or LIGGGHTS, the text of YADE, a data file of MercuryDPM in three dimensions, the particle input
-/// of MFiX, or the binary file of packing-generation (.xyzd). Of a file with several moments it is
-/// the last. The content decides, not the name. Throws Error inputMissing, badData with file and
-/// line, or usage for columns that are named of a file which is no table.
+/// or LIGGGHTS, or the text of YADE. Of a file with several moments it is the last. The content
+/// decides, not the name. Throws Error inputMissing, badData with file and line, or usage for
+/// columns that are named of a file which is no table.
 [[nodiscard]] Packing readPacking(const std::filesystem::path& file,
                                   const PackingFileOptions& options);
 /// The same with a radius alone.
@@ -70,3 +70,4 @@ struct PackingFileOptions
                                          const JudgeSettings& settings = {});
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -51,3 +52,4 @@ using PageProgress = std::function<bool(std::size_t done, std::size_t all)>;
 PageResult writePage(const PageRequest& request, const PageProgress& progress = {});
 
 } // namespace frostfill
+#pragma GCC visibility pop

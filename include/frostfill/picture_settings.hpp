@@ -6,6 +6,7 @@
 #include <frostfill/scene.hpp>
 #include <frostfill/simulation.hpp>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -22,3 +23,4 @@ namespace frostfill
 [[nodiscard]] RenderSettings pictureSettings(const Simulation& simulation, const Scene& scene);
 
 } // namespace frostfill
+#pragma GCC visibility pop

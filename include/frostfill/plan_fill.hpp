@@ -3,6 +3,7 @@
 
 #include <frostfill/fill.hpp>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -12,3 +13,4 @@ namespace frostfill
 [[nodiscard]] FillPlan planFill(const FillRequest& request, const FillObserver& observer = {});
 
 } // namespace frostfill
+#pragma GCC visibility pop

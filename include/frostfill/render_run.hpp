@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -75,3 +76,4 @@ struct RenderResult
 [[nodiscard]] std::optional<Error> failureOf(const RenderResult& result);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -107,3 +108,4 @@ struct BackendAttempt
 [[nodiscard]] std::vector<BackendAttempt> probeBackends();
 
 } // namespace frostfill
+#pragma GCC visibility pop

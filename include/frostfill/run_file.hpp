@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -103,3 +104,4 @@ private:
 };
 
 } // namespace frostfill
+#pragma GCC visibility pop

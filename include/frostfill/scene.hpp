@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -21,8 +22,6 @@ enum class Axis : std::uint8_t
     y,
     z
 };
-// Each enumeration from here to ReleaseRule chooses a part. They are open: a part that a program
-// adds (docs/parts.md) has a value after the last one that is built in.
 enum class Integrator : std::uint8_t
 {
     explicitEuler,
@@ -50,10 +49,6 @@ enum class FreezingRule : std::uint8_t
 {
     oneByOne, ///< each sphere by itself, as soon as it is calm and carried
     bySet,    ///< a set as a whole, once most of it is calm
-};
-enum class ReleaseRule : std::uint8_t
-{
-    ceilings, ///< at random below the object's ceilings, then wherever one still fits
 };
 enum class Preset : std::uint8_t
 {
@@ -148,8 +143,7 @@ struct SphereSettings
     bool untilFull = false;             ///< continue after `count` until no sphere fits
     std::uint32_t groupSize = 0; ///< gamma: spheres in a group; 0 (fast only): 10, or more if the
                                  ///< object is large, or to pour in the animation's duration
-    std::uint32_t groupsPerSet = 2;              ///< k: groups that appear together
-    ReleaseRule release = ReleaseRule::ceilings; ///< where spheres appear
+    std::uint32_t groupsPerSet = 2; ///< k: groups that appear together
     /// If there are some, spheres appear in these openings and nowhere else, until the heap below
     /// reaches them.
     std::vector<Inlet> inlets = {};
@@ -336,3 +330,4 @@ void validateScene(const Scene& scene);
                                   const TriangleMesh& mesh);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -35,3 +36,4 @@ struct Shard
 [[nodiscard]] Shard parseShard(std::string_view text);
 
 } // namespace frostfill
+#pragma GCC visibility pop

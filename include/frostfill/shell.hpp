@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -26,3 +27,4 @@ struct ShellInFile
 };
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -247,3 +248,4 @@ private:
 };
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -147,3 +148,4 @@ struct Snapshot
 };
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -88,3 +89,4 @@ std::vector<RunReport> runSweep(const SweepRequest& request, const SweepObserver
 void writeSweepTable(const SweepRequest& request, const std::vector<RunReport>& reports);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -33,3 +34,4 @@ struct SweepRun
                                                std::string_view nameForMessages);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -125,3 +126,4 @@ struct Style
 [[nodiscard]] Palette paletteOf(Look look);
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <functional>
 
+#pragma GCC visibility push(default)
 namespace frostfill
 {
 
@@ -35,3 +36,4 @@ struct VolumeEstimate
                                             const std::function<bool()>& stopRequested = {});
 
 } // namespace frostfill
+#pragma GCC visibility pop

@@ -33,10 +33,8 @@ def read_packing(
 ) -> Packing:
     """Reads spheres from a file of any program, for frostfill.check and frostfill.analyse.
 
-    path: a run, a table (CSV), XYZ, a dump or data file of LAMMPS or LIGGGHTS, the text of YADE,
-    a data file of MercuryDPM, particle_input.dat of MFiX, or the binary of packing-generation; of several
-    moments the last. radius: of all
-    spheres of a file that has none. columns: which columns of a table are x, y, z and radius or
+    path: a run, a table (CSV), XYZ, a dump or data file of LAMMPS or LIGGGHTS, or the text
+    of YADE; of several moments the last. radius: of all spheres of a file that has none. columns: which columns of a table are x, y, z and radius or
     diameter, by name or by number from 1, where they have other names.
 
     >>> import pathlib, tempfile

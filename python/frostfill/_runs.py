@@ -193,8 +193,8 @@ class Run(_frostfill.KeptRun):
 
 
 # Formats that are one file of spheres, by its ending.
-_ENDINGS = {"vtp": "vtp", "xyz": "xyz", "glb": "glb", "ply": "ply", "csv": "csv", "npz": "npz",
-            "vti": "vti", "dump": "lammps-dump", "data": "lammps-data"}
+_ENDINGS = {"vtp": "vtp", "xyz": "xyz", "glb": "glb", "csv": "csv", "npz": "npz",
+            "vti": "vti", "dump": "lammps-dump"}
 
 
 def _text(value, name):

@@ -24,7 +24,7 @@ namespace
 constexpr const char* kExportExamples = R"(Examples:
   frostfill export output/torus --to vtp                 for ParaView: open output/torus/export/run.pvd
   frostfill export output/torus --to glb --frames 0..600:10
-  frostfill export output/torus --to csv,lammps-data --out tables
+  frostfill export output/torus --to csv,lammps --out tables
 )";
 
 struct ExportArguments

@@ -13,9 +13,8 @@ namespace frostfill
 /// The end of the help of a command that reads a packing: what FILE may be.
 inline constexpr const char* kPackingFiles = R"(
 FILE is the directory of a run, a run.frost, a table with columns x, y, z and radius (CSV, or
-separated by semicolons or spaces), extended XYZ, a dump or data file of LAMMPS or LIGGGHTS, the text of
-YADE, a data file of MercuryDPM, particle_input.dat of MFiX, or the binary of packing-generation (.xyzd); of
-several moments the last.
+separated by semicolons or spaces), extended XYZ, a dump or data file of LAMMPS or LIGGGHTS, or the text
+of YADE; of several moments the last.
 )";
 
 /// The options of a command that say how FILE is to be read.

@@ -59,17 +59,17 @@ std::string placeholder(const Option& option)
         what = "X|X..Y|FILE";
         break;
     case OptionType::text:
-        what = option.texts().empty() ? option.placeholder
-               : option.texts().size() > kMaxWords
+        what = option.choices.empty() ? option.placeholder
+               : option.choices.size() > kMaxWords
                    ? "NAME"
-                   : fmt::format("{}", fmt::join(option.texts(), "|"));
+                   : fmt::format("{}", fmt::join(option.choices, "|"));
         break;
     }
     for (const auto& [word, number] : option.words)
     {
         what += "|" + word;
     }
-    return option.nothing.empty() || !option.texts().empty() || option.type == OptionType::text
+    return option.nothing.empty() || !option.choices.empty() || option.type == OptionType::text
                ? what
                : what + "|" + option.nothing;
 }

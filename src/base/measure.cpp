@@ -15,14 +15,14 @@ OperationCounts& OperationCounts::operator+=(const OperationCounts& other)
     return *this;
 }
 
-OperationCounts operator-(const OperationCounts& a, const OperationCounts& b)
+OperationCounts OperationCounts::operator-(const OperationCounts& other) const
 {
-    return {a.runningRunningTests - b.runningRunningTests,
-            a.runningFrozenTests - b.runningFrozenTests,
-            a.spherePolygonTests - b.spherePolygonTests,
-            a.runningRunningResponses - b.runningRunningResponses,
-            a.runningFrozenResponses - b.runningFrozenResponses,
-            a.spherePolygonResponses - b.spherePolygonResponses};
+    return {runningRunningTests - other.runningRunningTests,
+            runningFrozenTests - other.runningFrozenTests,
+            spherePolygonTests - other.spherePolygonTests,
+            runningRunningResponses - other.runningRunningResponses,
+            runningFrozenResponses - other.runningFrozenResponses,
+            spherePolygonResponses - other.spherePolygonResponses};
 }
 
 const char* stageName(Stage stage)

@@ -60,7 +60,7 @@ public:
         case ExportFormat::openFoam:
             cells_ = writeOpenFoamCase(bed, folder_, files_);
             return;
-        case ExportFormat::gmshBed:
+        case ExportFormat::gmsh:
             return writeGmshBed(bed, folder_, files_);
         case ExportFormat::vti:
             return writeVti(bed, folder_, files_);

@@ -105,7 +105,7 @@ void checkOptions(const ExportRequest& request, const ExportFormatInfo& format)
     const ContactTreatment contacts = request.bed.contacts;
     const bool isSurface =
         format.format == ExportFormat::stlBed || format.format == ExportFormat::openFoam;
-    const bool isApart = format.format == ExportFormat::gmshBed; // or gmsh has to intersect them
+    const bool isApart = format.format == ExportFormat::gmsh; // or gmsh has to intersect them
     if (!isSurface && contacts != ContactTreatment::shrink &&
         (isApart || contacts != ContactTreatment::none))
     {

@@ -91,11 +91,9 @@ using MakeExporter = std::unique_ptr<Exporter>(const ExportedRun& run,
                                                const std::filesystem::path& folder);
 MakeExporter makeVtpExporter;
 MakeExporter makeLammpsDumpExporter;
-MakeExporter makeLammpsDataExporter;
 MakeExporter makeXyzExporter;
 MakeExporter makeGlbExporter;
 MakeExporter makeGlbInstancedExporter;
-MakeExporter makePlyExporter;
 MakeExporter makeCsvExporter;
 MakeExporter makeNpzExporter;
 MakeExporter makeLiggghtsExporter;
@@ -105,7 +103,6 @@ MakeExporter makeMercuryDpmExporter;
 MakeExporter makeMfixExporter;
 MakeExporter makeLetheExporter;
 MakeExporter makeOpenMcExporter;
-MakeExporter makeGmshExporter;
 
 /// The exporter of a format.
 [[nodiscard]] std::unique_ptr<Exporter> makeExporter(ExportFormat format, const ExportedRun& run,

@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 9> kOptions = {"measure", "full-mesh", "n
                                                       "ascii",   "cell",      "voxels"};
 constexpr std::string_view kOfGltf = "measure full-mesh no-shell";
 
-constexpr std::array<FormatEntry, 22> kEntries = {{
+constexpr std::array<FormatEntry, 19> kEntries = {{
     {{ExportFormat::vtp, "vtp", "all", "spheres and mesh for ParaView and VTK; open run.pvd"},
      makeVtpExporter,
      {"run.pvd", ".vtp"},
@@ -48,9 +48,6 @@ constexpr std::array<FormatEntry, 22> kEntries = {{
      makeLammpsDumpExporter,
      {"spheres.dump"},
      "measure"},
-    {{ExportFormat::lammpsData, "lammps-data", "last", "the packing for read_data of LAMMPS"},
-     makeLammpsDataExporter,
-     {"spheres.data"}},
     {{ExportFormat::xyz, "xyz", "all", "extended XYZ of all frames for OVITO and ASE"},
      makeXyzExporter,
      {"spheres.xyz"},
@@ -68,10 +65,6 @@ constexpr std::array<FormatEntry, 22> kEntries = {{
      kOfGltf,
      false,
      true},
-    {{ExportFormat::ply, "ply", "last", "a binary table of spheres for each frame"},
-     makePlyExporter,
-     {".ply"},
-     "measure"},
     {{ExportFormat::csv, "csv", "last", "a text table of spheres for each frame, all numbers"},
      makeCsvExporter,
      {".csv"},
@@ -104,9 +97,6 @@ constexpr std::array<FormatEntry, 22> kEntries = {{
     {{ExportFormat::openmc, "openmc", "last", "a Python module that makes a lattice for OpenMC"},
      makeOpenMcExporter,
      {"openmc_packing.py", "openmc_packing.txt"}},
-    {{ExportFormat::gmsh, "gmsh", "last", "the spheres as volumes of a .geo script of gmsh"},
-     makeGmshExporter,
-     {"spheres.geo"}},
     {{ExportFormat::stlBed, "stl-bed", "last", "one closed surface of spheres and container"},
      makeBedExporter<ExportFormat::stlBed>,
      {"bed.stl", "bed.stl.json"},
@@ -119,8 +109,8 @@ constexpr std::array<FormatEntry, 22> kEntries = {{
      "contacts resolution cell",
      true,
      true},
-    {{ExportFormat::gmshBed, "gmsh-bed", "last", "exact spheres and container for gmsh"},
-     makeBedExporter<ExportFormat::gmshBed>,
+    {{ExportFormat::gmsh, "gmsh", "last", "exact spheres and container for gmsh"},
+     makeBedExporter<ExportFormat::gmsh>,
      {"bed.geo", "bed.geo.json"},
      "contacts",
      true},
@@ -135,6 +125,12 @@ constexpr std::array<FormatEntry, 22> kEntries = {{
      "contacts voxels",
      true},
 }};
+
+/// Names of formats that there were, and what says the same.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kFormer = {
+    {{"lammps-data", "lammps, whose lammps.data is for read_data"},
+     {"ply", "csv, or vtp and npz for binary files"},
+     {"gmsh-bed", "gmsh"}}};
 
 constexpr auto kFormats = []
 {
@@ -220,6 +216,14 @@ const ExportFormatInfo& exportFormat(std::string_view name)
             return info;
         }
         names.emplace_back(info.name);
+    }
+    for (const auto& [former, instead] : kFormer)
+    {
+        if (name == former)
+        {
+            throw Error(ErrorCode::usage,
+                        fmt::format("there is no format {} any more: use {}", former, instead));
+        }
     }
     const std::string nearest = nearestName(name, names);
     throw Error(ErrorCode::usage,

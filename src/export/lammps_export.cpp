@@ -55,57 +55,12 @@ private:
     AtomicFile file_;
 };
 
-/// The packing for read_data with atom_style sphere: id, type, diameter, density, x, y, z.
-class DataExporter : public Exporter
-{
-public:
-    DataExporter(const ExportedRun& run, const std::filesystem::path& folder) : run_(run)
-    {
-        files_.push_back(folder / "spheres.data");
-    }
-    /// Each frame replaces the one before: the last one stays.
-    void add(const ExportedFrame& frame) override
-    {
-        const Snapshot& state = frame.state;
-        const Eigen::AlignedBox3d box = boxInWorld(run_, frame);
-        AtomicFile file(files_.front());
-        file.write(fmt::format("Packing of frame {} at {} s; types 1 running, 2 frozen, 3 "
-                               "discarded; density 1\n\n{} atoms\n3 atom types\n\n",
-                               frame.number, state.time, state.states.size()));
-        const char* axes[] = {"x", "y", "z"};
-        for (int axis = 0; axis < 3; ++axis)
-        {
-            file.write(fmt::format("{} {} {}lo {}hi\n", box.min()[axis], box.max()[axis],
-                                   axes[axis], axes[axis]));
-        }
-        file.write("\nAtoms # sphere\n\n");
-        writeLines(file, run_, frame,
-                   [](fmt::memory_buffer& row, const SphereRow& sphere)
-                   {
-                       fmt::format_to(std::back_inserter(row), FMT_COMPILE("{} {} {} 1 {} {} {}"),
-                                      sphere.id + 1, typeOf(sphere), 2 * sphere.radius,
-                                      sphere.centre.x(), sphere.centre.y(), sphere.centre.z());
-                   });
-        file.commit();
-    }
-    void finish() override {}
-
-private:
-    const ExportedRun& run_;
-};
-
 } // namespace
 
 std::unique_ptr<Exporter> makeLammpsDumpExporter(const ExportedRun& run,
                                                  const std::filesystem::path& folder)
 {
     return std::make_unique<DumpExporter>(run, folder);
-}
-
-std::unique_ptr<Exporter> makeLammpsDataExporter(const ExportedRun& run,
-                                                 const std::filesystem::path& folder)
-{
-    return std::make_unique<DataExporter>(run, folder);
 }
 
 } // namespace frostfill

@@ -106,7 +106,7 @@ std::vector<GrowthPoint> growthWithoutFreezing(const Scene& scene, const Triangl
     const FrameOfRun frame(scene, boundingBox(mesh), simulation.radius());
     const Surface surface(frame.toRun(mesh));
     const std::vector<PolygonState> active(mesh.triangles.size(), PolygonState::active);
-    const auto polygons = polygonSearches()[PolygonSearch::loop]({surface, active});
+    const auto polygons = makePolygonSearch(PolygonSearch::loop, {surface, active});
     const std::size_t apart = std::max<std::size_t>(simulation.expectedSpheres() / points, 1);
     std::vector<GrowthPoint> result;
     while (simulation.step())

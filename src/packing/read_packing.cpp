@@ -122,10 +122,8 @@ struct MomentFormat
     bool (*is)(std::string_view text);
     bool (*next)(TextLines& lines, double radius, Timestep& timestep);
 };
-constexpr MomentFormat kMomentFormats[] = {
-    {"a LAMMPS dump", isDump, readDumpTimestep},
-    {"XYZ", isXyz, readXyzTimestep},
-    {"a data file of MercuryDPM", isMercury, readMercuryTimestep}};
+constexpr MomentFormat kMomentFormats[] = {{"a LAMMPS dump", isDump, readDumpTimestep},
+                                           {"XYZ", isXyz, readXyzTimestep}};
 
 /// A text that is one packing.
 struct TextFormat
@@ -135,7 +133,6 @@ struct TextFormat
     Timestep (*read)(TextLines lines, double radius);
 };
 constexpr TextFormat kTextFormats[] = {{"the text of YADE", isYade, readYade},
-                                       {"the particle input of MFiX", isMfix, readMfix},
                                        {"a data file of LAMMPS", isLammpsData, readLammpsData}};
 
 void refuseColumns(const PackingColumns& columns, const std::filesystem::path& file,
@@ -149,26 +146,16 @@ void refuseColumns(const PackingColumns& columns, const std::filesystem::path& f
     }
 }
 
-Packing readBinaryFile(const std::string& content, const std::filesystem::path& file)
-{
-    const double diameters = diametersOf(file);
-    Packing packing = packingOf(readBinary(content, file.string(), diameters),
-                                "a binary file of packing-generation");
-    if (diameters != 1)
-    {
-        packing.format +=
-            fmt::format(", its diameters times {:.6g} as the .nfo file says", diameters);
-    }
-    return packing;
-}
-
 /// Of several moments the last.
 Packing readContent(const std::filesystem::path& file, const PackingFileOptions& options)
 {
     const std::string content = contentOf(file);
-    if (isBinary(content, file))
+    if (content.find('\0') != std::string::npos)
     {
-        return readBinaryFile(content, file);
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' is not a text: packings are read from tables, XYZ, and the "
+                                "files of LAMMPS, LIGGGHTS and YADE",
+                                file.string()));
     }
     TextLines lines(content, file.string());
     for (const TextFormat& format : kTextFormats)

@@ -121,16 +121,25 @@ Timestep readTable(TextLines lines, const PackingFileOptions& options)
     const TableWords names = wordsOf(heading, separator);
     const SphereColumns columns = columnsOfTable(names, options, lines);
     Timestep timestep;
-    if (areNumbers(names))
+    const bool hasHeading = !areNumbers(names);
+    if (!hasHeading)
     {
         addSphere(names, columns, options.radius, lines, timestep);
     }
     for (std::string_view line; lines.next(line);)
     {
-        if (!isComment(line))
+        if (isComment(line))
         {
-            addSphere(wordsOf(line, separator), columns, options.radius, lines, timestep);
+            continue;
         }
+        const TableWords words = wordsOf(line, separator);
+        if (!hasHeading && words.size() != names.size())
+        {
+            lines.refuse(fmt::format("{} values, where the first line has {}: leave out lines that "
+                                     "are no spheres",
+                                     words.size(), names.size()));
+        }
+        addSphere(words, columns, options.radius, lines, timestep);
     }
     return timestep;
 }

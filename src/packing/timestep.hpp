@@ -67,24 +67,12 @@ void addSphere(const std::vector<std::string_view>& words, const SphereColumns& 
 /// Error badData.
 [[nodiscard]] bool readDumpTimestep(TextLines& lines, double radius, Timestep& timestep);
 [[nodiscard]] bool readXyzTimestep(TextLines& lines, double radius, Timestep& timestep);
-/// The same of a data file of MercuryDPM; `radius` is not used. Throws for one in two dimensions.
-[[nodiscard]] bool readMercuryTimestep(TextLines& lines, double radius, Timestep& timestep);
 /// Reads a table, which is one timestep.
 [[nodiscard]] Timestep readTable(TextLines lines, const PackingFileOptions& options);
 /// Reads the text of YADE, which names its columns in its first line: #format x_y_z_r.
 [[nodiscard]] Timestep readYade(TextLines lines, double radius);
-/// Reads the particle input of MFiX, from version 2.0. Throws for one in two dimensions.
-[[nodiscard]] Timestep readMfix(TextLines lines, double radius);
 /// Reads the section Atoms of a data file of LAMMPS or LIGGGHTS. Throws for an atom_style whose
 /// columns are not known.
 [[nodiscard]] Timestep readLammpsData(TextLines lines, double radius);
-/// Reads little-endian doubles: x, y, z and diameter of each sphere, as packing-generation writes
-/// them. `diameters` is what they are multiplied by. `file` is for messages.
-[[nodiscard]] Timestep readBinary(std::string_view bytes, const std::string& file,
-                                  double diameters);
-/// By how much the diameters of packing-generation's binary are to be multiplied, which grow after
-/// it was begun: ((1 - final porosity) / (1 - theoretical porosity))^(1/3) of the file .nfo beside
-/// it, where there is one; else 1. Throws Error badData for one that does not say.
-[[nodiscard]] double diametersOf(const std::filesystem::path& file);
 
 } // namespace frostfill

@@ -18,15 +18,8 @@ namespace frostfill
 
 /// Whether it is the text of YADE, with its columns in the first line.
 [[nodiscard]] bool isYade(std::string_view text);
-/// Whether it is a data file of MercuryDPM: its first line has a number of spheres, a time, and the
-/// ends of a box in two or three dimensions.
-[[nodiscard]] bool isMercury(std::string_view text);
-/// Whether it is the particle input of MFiX: its first line says a version, its second is a ruler.
-[[nodiscard]] bool isMfix(std::string_view text);
 /// Whether it is a data file of LAMMPS: its head has a number of atoms.
 [[nodiscard]] bool isLammpsData(std::string_view text);
-/// Whether it is the binary file of packing-generation: by its name, or because it is no text.
-[[nodiscard]] bool isBinary(std::string_view content, const std::filesystem::path& file);
 
 /// Goes through the timesteps of a simulation: a dump or extended XYZ. What a writer that
 /// was interrupted has left of its last timestep does not count, not even a last line without its

@@ -89,36 +89,8 @@ double setsOf(const Scene& scene, const Simulation& simulation)
     return std::max(1.0, std::ceil(static_cast<double>(simulation.expectedSpheres()) / set));
 }
 
-} // namespace
-
-bool hasFalls(const Scene& scene)
-{
-    return scene.preset == Preset::paper || scene.motion.mode == Motion::fall ||
-           scene.motion.mode == Motion::granular;
-}
-
-bool isItsOwnTrial(const Scene& scene, const Simulation& simulation)
-{
-    return static_cast<double>(simulation.expectedSpheres()) <=
-           (scene.preset == Preset::paper           ? kTrialSpheresPaper
-            : scene.motion.mode == Motion::granular ? kTrialSpheresGranular
-            : descends(scene)                       ? kTrialSpheresDescent
-                                                    : kTrialSpheres);
-}
-
-LengthWatch::LengthWatch(const Scene& scene) : falls_(hasFalls(scene))
-{
-}
-
-void LengthWatch::look(const Simulation& simulation)
-{
-    if (!falls_)
-    {
-        enterLandings(simulation, length_.seconds, length_.landings);
-    }
-    length_.seconds = simulation.time();
-}
-
+/// The scene with its spheres `factor` times as large, and as many fewer. `simulation` is that of
+/// the scene, and has not begun.
 Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
 {
     Scene model = scene;
@@ -148,6 +120,36 @@ Scene modelOf(const Scene& scene, const Simulation& simulation, double factor)
         model.motion.dt = *scene.motion.dt * std::sqrt(factor);
     }
     return model;
+}
+
+} // namespace
+
+bool hasFalls(const Scene& scene)
+{
+    return scene.preset == Preset::paper || scene.motion.mode == Motion::fall ||
+           scene.motion.mode == Motion::granular;
+}
+
+bool isItsOwnTrial(const Scene& scene, const Simulation& simulation)
+{
+    return static_cast<double>(simulation.expectedSpheres()) <=
+           (scene.preset == Preset::paper           ? kTrialSpheresPaper
+            : scene.motion.mode == Motion::granular ? kTrialSpheresGranular
+            : descends(scene)                       ? kTrialSpheresDescent
+                                                    : kTrialSpheres);
+}
+
+LengthWatch::LengthWatch(const Scene& scene) : falls_(hasFalls(scene))
+{
+}
+
+void LengthWatch::look(const Simulation& simulation)
+{
+    if (!falls_)
+    {
+        enterLandings(simulation, length_.seconds, length_.landings);
+    }
+    length_.seconds = simulation.time();
 }
 
 RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,

@@ -43,10 +43,6 @@ private:
     RunLength length_{0, true, {}};
 };
 
-/// The scene with its spheres `factor` times as large, and as many fewer. `simulation` is that of
-/// the scene, and has not begun.
-[[nodiscard]] Scene modelOf(const Scene& scene, const Simulation& simulation, double factor);
-
 /// Makes a trial of the run of `simulation`, which has not begun: a run of up to some ten thousand
 /// spheres itself, a larger one by a model of the same object with fewer and larger spheres.
 /// Nothing is written, and `simulation` stays as it is. Ends early once `stopRequested` is true; it

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The commands sweep and plan, dry runs and progress for programs, as their user meets them.
+// The command sweep, dry runs and progress for programs, as their user meets them.
 #include "fault/program.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -7,8 +7,6 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>

@@ -24,7 +24,7 @@ class ReadPacking(FolderCase):
 
     def test_reads_what_was_exported_to_the_same_numbers(self):
         run = frostfill.fill("cube", count=20, duration=0.5)
-        for format, name in {"yade": "yade.txt", "mercurydpm": "mercurydpm.data", "lethe": "particles.input"}.items():
+        for format, name in {"yade": "yade.txt", "lethe": "particles.input"}.items():
             run.export(self.folder, format)
             found = frostfill.read_packing(self.folder / name)
             numpy.testing.assert_array_equal(found.centres, run.centres)

@@ -103,7 +103,7 @@ class Runs(FolderCase):
         files = run.export(self.folder / "torus.vtp")
         self.assertEqual([f.name for f in files], ["torus.vtp", "torus_mesh.vtp"])
         self.assertIn(b"<VTKFile", files[0].read_bytes()[:100])
-        for ending in ("xyz", "glb", "ply", "csv", "npz", "dump", "data"):
+        for ending in ("xyz", "glb", "csv", "npz", "dump"):
             (file,) = run.export(self.folder / f"torus.{ending}")
             self.assertGreater(file.stat().st_size, 100)
         arrays = numpy.load(self.folder / "torus.npz")

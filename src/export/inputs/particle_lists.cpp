@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Formats that are a list of spheres and no more: MercuryDPM, MFiX, Lethe, gmsh.
+// Formats that are a list of spheres and no more: MercuryDPM, MFiX, Lethe.
 #include "export/inputs/start_state.hpp"
 #include "output/atomic_file.hpp"
 
@@ -94,21 +94,6 @@ void writeLethe(const StartState& state, const std::vector<std::filesystem::path
     data.commit();
 }
 
-void writeGmsh(const StartState& state, const std::vector<std::filesystem::path>& files)
-{
-    AtomicFile script(files[0]);
-    script.write(headingOf(state, "//"));
-    script.write("SetFactory(\"OpenCASCADE\");\n");
-    for (const StartSphere& sphere : state.spheres)
-    {
-        script.write(fmt::format(FMT_COMPILE("Sphere({}) = {{{}, {}, {}, {}}};\n"), sphere.id + 1,
-                                 sphere.centre.x(), sphere.centre.y(), sphere.centre.z(),
-                                 sphere.radius));
-    }
-    script.write("Physical Volume(\"spheres\") = Volume{:};\n");
-    script.commit();
-}
-
 } // namespace
 
 std::unique_ptr<Exporter> makeMercuryDpmExporter(const ExportedRun& run,
@@ -127,12 +112,6 @@ std::unique_ptr<Exporter> makeLetheExporter(const ExportedRun& run,
                                             const std::filesystem::path& folder)
 {
     return makeInputExporter(ExportFormat::lethe, writeLethe, run, folder);
-}
-
-std::unique_ptr<Exporter> makeGmshExporter(const ExportedRun& run,
-                                           const std::filesystem::path& folder)
-{
-    return makeInputExporter(ExportFormat::gmsh, writeGmsh, run, folder);
 }
 
 } // namespace frostfill

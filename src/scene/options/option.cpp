@@ -105,7 +105,7 @@ bool allowed(const Option& option, const OptionValue& value)
         break;
     }
     const auto* text = std::get_if<std::string>(&value);
-    const std::vector<std::string>& texts = option.texts();
+    const std::vector<std::string>& texts = option.choices;
     return text && (texts.empty() || std::find(texts.begin(), texts.end(), *text) != texts.end());
 }
 
@@ -203,8 +203,8 @@ std::string describeAllowed(const Option& option)
                ", a range such as 0.02..0.05, a file with one radius per line";
         break;
     case OptionType::text:
-        what = option.texts().empty() ? option.form
-                                      : fmt::format("{}", fmt::join(option.texts(), ", "));
+        what = option.choices.empty() ? option.form
+                                      : fmt::format("{}", fmt::join(option.choices, ", "));
         break;
     }
     for (const auto& [word, number] : option.words)
@@ -221,7 +221,7 @@ std::string describeAllowed(const Option& option)
 std::string nearestAllowed(const Option& option, const OptionValue& value)
 {
     const auto* text = std::get_if<std::string>(&value);
-    const std::string nearest = text ? nearestName(*text, option.texts()) : "";
+    const std::string nearest = text ? nearestName(*text, option.choices) : "";
     return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 

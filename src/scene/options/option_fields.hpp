@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "scene/part_names.hpp"
-
 #include <frostfill/options.hpp>
 
 #include <array>
@@ -19,6 +17,31 @@ template <>
 struct EnumNames<Axis>
 {
     static constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
+};
+template <>
+struct EnumNames<Integrator>
+{
+    static constexpr std::array<const char*, 2> kNames = {"explicit", "semi-implicit"};
+};
+template <>
+struct EnumNames<SphereSearch>
+{
+    static constexpr std::array<const char*, 2> kNames = {"all-pairs", "grid"};
+};
+template <>
+struct EnumNames<PolygonSearch>
+{
+    static constexpr std::array<const char*, 4> kNames = {"loop", "list", "quadtree", "grid"};
+};
+template <>
+struct EnumNames<DiscardRule>
+{
+    static constexpr std::array<const char*, 3> kNames = {"none", "paper", "exact"};
+};
+template <>
+struct EnumNames<FreezingRule>
+{
+    static constexpr std::array<const char*, 2> kNames = {"one-by-one", "by-set"};
 };
 template <>
 struct EnumNames<Preset>
@@ -57,20 +80,6 @@ struct EnumNames<Look>
 {
     static constexpr std::array<const char*, 4> kNames = {"clean", "paper", "dark", "studio"};
 };
-
-/// The names of an enumeration's values, those of parts that were added included.
-template <typename Enum>
-const auto& namesOf()
-{
-    if constexpr (PartChoice<Enum>)
-    {
-        return partNames<Enum>();
-    }
-    else
-    {
-        return EnumNames<Enum>::kNames;
-    }
-}
 
 /// Lengths in mesh units outside of these do not occur: squares and cubes of them overflow.
 inline constexpr double kSmallestLength = 1e-12;
@@ -142,7 +151,7 @@ OptionValue toValue(Field field)
 template <typename Enum>
 requires std::is_enum_v<Enum> OptionValue toValue(Enum field)
 {
-    return std::string(namesOf<Enum>().at(static_cast<std::size_t>(field)));
+    return std::string(EnumNames<Enum>::kNames.at(static_cast<std::size_t>(field)));
 }
 template <typename Field>
 OptionValue toValue(const std::optional<Field>& field)
@@ -155,7 +164,7 @@ bool fromValue(Field& field, const OptionValue& value)
 {
     if constexpr (std::is_enum_v<Field>)
     {
-        const auto& names = namesOf<Field>();
+        const auto& names = EnumNames<Field>::kNames;
         for (std::size_t i = 0; i < names.size(); ++i)
         {
             if (std::get<std::string>(value) == names[i])
@@ -246,13 +255,7 @@ Option fieldOption(Option option, Access access)
     using Field = std::remove_cvref_t<decltype(access(std::declval<Scene&>()))>;
     option.type = OptionTypeOf<Field>::kType;
     using Inner = typename OptionTypeOf<Field>::Inner;
-    if constexpr (PartChoice<Inner>)
-    {
-        option.parts = &partNames<Inner>();
-        option.choices.assign(std::begin(BuiltInParts<Inner>::kNames),
-                              std::end(BuiltInParts<Inner>::kNames));
-    }
-    else if constexpr (std::is_enum_v<Inner>)
+    if constexpr (std::is_enum_v<Inner>)
     {
         option.choices.assign(EnumNames<Inner>::kNames.begin(), EnumNames<Inner>::kNames.end());
     }

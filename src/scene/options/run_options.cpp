@@ -108,7 +108,6 @@ void addSpheres(TableBuilder& table)
         .add("spheres.groups_per_set", "", "Groups in a set; a set appears at once",
              FROSTFILL_FIELD(spheres.groupsPerSet))
         .range(1, kLargestGroup);
-    table.add("spheres.release", "", "Where spheres appear", FROSTFILL_FIELD(spheres.release));
 }
 
 void addMotion(TableBuilder& table)

@@ -88,29 +88,6 @@ void validateSizes(const Scene& scene)
     }
 }
 
-/// A part that was added has no effect with a preset that does not use it. The built-in ones stand
-/// in every scene file, for either preset.
-void refuseUnusedParts(const Scene& scene)
-{
-    for (const Option& option : sceneOptions())
-    {
-        const OptionValue value = option.get(scene);
-        const auto* name = std::get_if<std::string>(&value);
-        const std::vector<std::string>& builtIn = option.choices;
-        if (option.parts != nullptr && name != nullptr &&
-            option.preset.value_or(scene.preset) != scene.preset &&
-            std::find(builtIn.begin(), builtIn.end(), *name) == builtIn.end())
-        {
-            throw Error(
-                ErrorCode::usage,
-                fmt::format("the preset {} does not use {}, which is '{}': choose the other "
-                            "preset, or omit {}",
-                            scene.preset == Preset::fast ? "fast" : "paper", option.key, *name,
-                            option.key));
-        }
-    }
-}
-
 } // namespace
 
 void validateScene(const Scene& scene)
@@ -128,7 +105,6 @@ void validateScene(const Scene& scene)
                                     optionText(option, value), describeAllowed(option)));
         }
     }
-    refuseUnusedParts(scene);
     refuseIf(scene.preset == Preset::paper && scene.motion.mode != Motion::fall,
              "the preset paper always simulates the whole fall: omit "
              "motion.mode (--motion), or use the preset fast");
@@ -154,9 +130,6 @@ void validateScene(const Scene& scene)
     {
         throw Error(ErrorCode::usage, "judge.unbalance needs a friction: give judge.friction");
     }
-    refuseIf(!scene.spheres.inlets.empty() && scene.spheres.release != ReleaseRule::ceilings,
-             "spheres appear in openings (spheres.inlets, --inlet) or by "
-             "another rule (spheres.release), not both");
     refuseIf(scene.camera.turntable && scene.frames.cameraPath,
              "camera.path and camera.turntable (--turntable) both move the camera: omit one of "
              "them");

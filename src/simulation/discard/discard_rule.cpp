@@ -8,21 +8,19 @@
 namespace frostfill
 {
 
-PartTable<DiscardRule, MakeDiscard>& discardRules()
-{
-    static PartTable<DiscardRule, MakeDiscard> table = {
-        [](World&, Threads&) { return nullptr; },                                      // none
-        [](World& world, Threads&) { return std::make_unique<PaperDiscards>(world); }, // paper
-        [](World& world, Threads& threads)
-        { return std::make_unique<ExactDiscard>(world, threads); }, // exact
-    };
-    return table;
-}
-
 std::unique_ptr<DiscardPart> makeDiscard(World& world, Threads& threads)
 {
     const StageTimer timer(world.counts.times, Stage::discarding);
-    return discardRules()[world.scene.discard.rule](world, threads);
+    switch (world.scene.discard.rule)
+    {
+    case DiscardRule::paper:
+        return std::make_unique<PaperDiscards>(world);
+    case DiscardRule::exact:
+        return std::make_unique<ExactDiscard>(world, threads);
+    case DiscardRule::none:
+        break;
+    }
+    return nullptr;
 }
 
 std::unique_ptr<DiscardPart> makeDiscardAtRest(World& world, Threads& threads)

@@ -2,10 +2,8 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "simulation/world/part_table.hpp"
 #include "simulation/world/world.hpp"
 
-#include <functional>
 #include <memory>
 
 namespace frostfill
@@ -33,14 +31,8 @@ public:
     virtual void finish(bool /*full*/) {}
 };
 
-/// May return nothing, for a rule that never discards. World and threads outlive the part.
-using MakeDiscard = std::function<std::unique_ptr<DiscardPart>(World& world, Threads& threads)>;
-
-/// Every discard rule by its name.
-[[nodiscard]] PartTable<DiscardRule, MakeDiscard>& discardRules();
-
 /// The one that the world's scene asks for; empty when nothing is to be discarded. Its time counts
-/// as that of discarding.
+/// as that of discarding. World and threads outlive the part.
 [[nodiscard]] std::unique_ptr<DiscardPart> makeDiscard(World& world, Threads& threads);
 
 /// The same when all spheres rest, which it then knows.

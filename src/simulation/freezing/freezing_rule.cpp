@@ -64,18 +64,13 @@ private:
 
 } // namespace
 
-PartTable<FreezingRule, MakeFreezing>& freezingRules()
-{
-    static PartTable<FreezingRule, MakeFreezing> table = {
-        [](const World&) { return std::make_unique<OneByOne>(); },
-        [](const World&) { return std::make_unique<BySet>(); },
-    };
-    return table;
-}
-
 std::unique_ptr<FreezingPart> makeFreezing(const World& world)
 {
-    return freezingRules()[world.scene.freezing.rule](world);
+    if (world.scene.freezing.rule == FreezingRule::bySet)
+    {
+        return std::make_unique<BySet>();
+    }
+    return std::make_unique<OneByOne>();
 }
 
 } // namespace frostfill

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/world/part_table.hpp"
-
 #include <Eigen/Core>
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -58,11 +55,6 @@ public:
     /// and piles settle slowly and densely.
     [[nodiscard]] virtual bool keepsSets() const { return false; }
 };
-
-using MakeFreezing = std::function<std::unique_ptr<FreezingPart>(const World& world)>;
-
-/// Every freezing rule by its name.
-[[nodiscard]] PartTable<FreezingRule, MakeFreezing>& freezingRules();
 
 /// The one that the world's scene asks for.
 [[nodiscard]] std::unique_ptr<FreezingPart> makeFreezing(const World& world);

@@ -30,6 +30,20 @@ double chooseTimeStep(const World& world)
                     kLongestFall * smallest / fallTime(world.height));
 }
 
+/// Euler's method. The position follows the velocity before the step (explicit) or after it
+/// (semi-implicit).
+void fallFreely(RunningSpheres& running, Integrator integrator, double gravity, double dt)
+{
+    const double fall = gravity * dt;
+    for (std::uint32_t i = 0; i < running.size(); ++i)
+    {
+        const Eigen::Vector3d velocity = running.velocity[i];
+        const Eigen::Vector3d faster = velocity - Eigen::Vector3d(0, fall, 0);
+        running.position[i] += (integrator == Integrator::explicitEuler ? velocity : faster) * dt;
+        running.velocity[i] = faster;
+    }
+}
+
 RestMonitor restMonitor(const World& world)
 {
     const FreezingSettings& freezing = world.scene.freezing;
@@ -42,10 +56,9 @@ RestMonitor restMonitor(const World& world)
 
 PaperEngine::PaperEngine(World& world)
     : world_(world), running_(world.spheres.running()),
-      integrator_(integrators()[world.scene.motion.integrator]()),
-      spheres_(sphereSearches()[world.scene.search.spheres](world.spheres.resting())),
-      polygons_(polygonSearches()[world.scene.search.polygons](
-          {world.surface, world.polygons, &world.triangles, kQuarterReach})),
+      spheres_(makeSphereSearch(world.scene.search.spheres, world.spheres.resting())),
+      polygons_(makePolygonSearch(world.scene.search.polygons, {world.surface, world.polygons,
+                                                                &world.triangles, kQuarterReach})),
       algorithm1_(world.spheres, world.surface, *polygons_,
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
@@ -214,7 +227,7 @@ void PaperEngine::integrate()
     const StageTimer timer(world_.counts.times, Stage::motion);
     const std::span<const Eigen::Vector3d> positions = running_.position.all();
     before_.assign(positions.begin(), positions.end());
-    integrator_->advance(running_, world_.frame.gravity, world_.clock.dt);
+    fallFreely(running_, world_.scene.motion.integrator, world_.frame.gravity, world_.clock.dt);
     predicted_.assign(positions.begin(), positions.end());
 }
 

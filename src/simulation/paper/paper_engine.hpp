@@ -2,7 +2,6 @@
 #pragma once
 
 #include "simulation/discard/discard_rule.hpp"
-#include "simulation/motion/integrator.hpp"
 #include "simulation/paper/algorithm1.hpp"
 #include "simulation/paper/rest_monitor.hpp"
 #include "simulation/release/release_rule.hpp"
@@ -35,7 +34,6 @@ private:
 
     World& world_;
     RunningSpheres& running_;
-    std::unique_ptr<IntegratorPart> integrator_;
     std::unique_ptr<SphereSearchPart> spheres_;
     std::unique_ptr<PolygonSearchPart> polygons_;
     Algorithm1 algorithm1_;

@@ -189,12 +189,6 @@ private:
     bool allActive_ = true;
 };
 
-template <class Search>
-std::unique_ptr<PolygonSearchPart> make(const SearchedPolygons& polygons)
-{
-    return std::make_unique<Search>(polygons);
-}
-
 } // namespace
 
 void PolygonVisitor::meet(std::uint32_t polygon, bool mayTouch)
@@ -206,11 +200,21 @@ void PolygonVisitor::meet(std::uint32_t polygon, bool mayTouch)
     }
 }
 
-PartTable<PolygonSearch, MakePolygonSearch>& polygonSearches()
+std::unique_ptr<PolygonSearchPart> makePolygonSearch(PolygonSearch search,
+                                                     const SearchedPolygons& polygons)
 {
-    static PartTable<PolygonSearch, MakePolygonSearch> table = {
-        make<Loop>, make<List>, make<Quadtree>, make<PolygonsByGrid>};
-    return table;
+    switch (search)
+    {
+    case PolygonSearch::list:
+        return std::make_unique<List>(polygons);
+    case PolygonSearch::quadtree:
+        return std::make_unique<Quadtree>(polygons);
+    case PolygonSearch::grid:
+        return std::make_unique<PolygonsByGrid>(polygons);
+    case PolygonSearch::loop:
+        break;
+    }
+    return std::make_unique<Loop>(polygons);
 }
 
 } // namespace frostfill

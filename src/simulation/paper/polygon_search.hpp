@@ -4,11 +4,10 @@
 #include "mesh/interior/surface.hpp"
 #include "mesh/interior/triangle_grid.hpp"
 #include "simulation/paper/tolerances.hpp"
-#include "simulation/world/part_table.hpp"
 
+#include <frostfill/scene.hpp>
 #include <frostfill/snapshot.hpp>
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -110,10 +109,7 @@ struct SearchedPolygons
     double reach = 0;
 };
 
-using MakePolygonSearch =
-    std::function<std::unique_ptr<PolygonSearchPart>(const SearchedPolygons& polygons)>;
-
-/// Every polygon search by its name.
-[[nodiscard]] PartTable<PolygonSearch, MakePolygonSearch>& polygonSearches();
+[[nodiscard]] std::unique_ptr<PolygonSearchPart>
+makePolygonSearch(PolygonSearch search, const SearchedPolygons& polygons);
 
 } // namespace frostfill

@@ -66,13 +66,13 @@ private:
 
 } // namespace
 
-PartTable<SphereSearch, MakeSphereSearch>& sphereSearches()
+std::unique_ptr<SphereSearchPart> makeSphereSearch(SphereSearch search, const SphereGrid& resting)
 {
-    static PartTable<SphereSearch, MakeSphereSearch> table = {
-        [](const SphereGrid&) { return std::make_unique<AllPairs>(); },
-        [](const SphereGrid& resting) { return std::make_unique<SpheresByGrid>(resting); },
-    };
-    return table;
+    if (search == SphereSearch::allPairs)
+    {
+        return std::make_unique<AllPairs>();
+    }
+    return std::make_unique<SpheresByGrid>(resting);
 }
 
 } // namespace frostfill

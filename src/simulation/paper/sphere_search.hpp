@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/world/part_table.hpp"
 #include "simulation/world/spheres.hpp"
 
-#include <functional>
+#include <frostfill/scene.hpp>
+
 #include <memory>
 #include <span>
 
@@ -34,10 +34,7 @@ public:
 };
 
 /// `resting`: a grid of all spheres at rest, kept up to date, which outlives the part.
-using MakeSphereSearch =
-    std::function<std::unique_ptr<SphereSearchPart>(const SphereGrid& resting)>;
-
-/// Every sphere search by its name.
-[[nodiscard]] PartTable<SphereSearch, MakeSphereSearch>& sphereSearches();
+[[nodiscard]] std::unique_ptr<SphereSearchPart> makeSphereSearch(SphereSearch search,
+                                                                 const SphereGrid& resting);
 
 } // namespace frostfill

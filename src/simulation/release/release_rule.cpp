@@ -11,15 +11,6 @@
 namespace frostfill
 {
 
-PartTable<ReleaseRule, MakeRelease>& releaseRules()
-{
-    static PartTable<ReleaseRule, MakeRelease> table = {
-        [](const World& world, double band, Threads& threads)
-        { return std::make_unique<Releases>(world, band, threads); }, // ceilings
-    };
-    return table;
-}
-
 std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Threads& threads)
 {
     if (!world.scene.spheres.inlets.empty())
@@ -30,7 +21,7 @@ std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Thread
     {
         return std::make_unique<GapReleases>(world, band, threads);
     }
-    return releaseRules()[world.scene.spheres.release](world, band, threads);
+    return std::make_unique<Releases>(world, band, threads);
 }
 
 std::size_t releaseAmong(const RunningSpheres& runners, RunnerGrid& grid, std::size_t wanted,

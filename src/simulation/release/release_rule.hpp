@@ -4,7 +4,6 @@
 #include "base/threads.hpp"
 #include "simulation/contact/footprint.hpp"
 #include "simulation/contact/runner_grid.hpp"
-#include "simulation/world/part_table.hpp"
 #include "simulation/world/world.hpp"
 
 #include <cstdint>
@@ -63,15 +62,9 @@ public:
     virtual void close(const Eigen::Vector3d& centre, double radius) = 0;
 };
 
-/// `band`: how far below the highest ceiling spheres may appear while there is room at it [r];
-/// negative: anywhere, from the start. World and threads outlive the part.
-using MakeRelease =
-    std::function<std::unique_ptr<ReleasePart>(const World& world, double band, Threads& threads)>;
-
-/// Every release rule by its name.
-[[nodiscard]] PartTable<ReleaseRule, MakeRelease>& releaseRules();
-
-/// The one that the world's scene asks for: its inlets, if there are some.
+/// The one that the world's scene asks for: its inlets, if there are some. `band`: how far below
+/// the highest ceiling spheres may appear while there is room at it [r]; negative: anywhere, from
+/// the start. World and threads outlive the part.
 [[nodiscard]] std::unique_ptr<ReleasePart> makeRelease(const World& world, double band,
                                                        Threads& threads);
 

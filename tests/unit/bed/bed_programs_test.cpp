@@ -123,7 +123,7 @@ TEST_F(BedFiles, AreMeshedByGmsh)
     const std::string mesh =
         "gmsh -3 {0}.geo -format msh2 -o {0}.msh && /usr/bin/python3 '" FROSTFILL_BED_READERS
         "/volume_of_gmsh.py' {0}.msh {1} {2} {3}";
-    write(ExportFormat::gmshBed);
+    write(ExportFormat::gmsh);
     // Facets of a mesh as coarse as gmsh makes it cut off some of each sphere.
     EXPECT_EQ(
         run(fmt::format(fmt::runtime(mesh), "bed", "bed.geo.json", "porosity_of_geometry", "0.03")),
@@ -186,7 +186,7 @@ TEST_F(BedFiles, AreOfOneFrameWithASphere)
     exportRun(request);
     expectError(
         ErrorCode::cannotCreate, [&] { exportRun(request); }, "bed.stl", "--overwrite");
-    request.format = ExportFormat::gmshBed;
+    request.format = ExportFormat::gmsh;
     request.bed.contacts = ContactTreatment::caps;
     expectError(
         ErrorCode::usage, [&] { exportRun(request); }, "shrink");

@@ -51,12 +51,11 @@ TEST_P(Readers, FindEveryNumberOfTheRun)
                    .out = folder / "export",
                    .overwrite = true});
     };
-    const bool lastOnly = format == ExportFormat::lammpsData ||
-                          format == ExportFormat::glbInstanced || format >= ExportFormat::liggghts;
+    const bool lastOnly = format == ExportFormat::glbInstanced || format >= ExportFormat::liggghts;
     write(format, lastOnly ? "last" : "all");
     if (format == ExportFormat::lammpsDump)
     {
-        write(ExportFormat::lammpsData, "last"); // LAMMPS reads a dump into what is there
+        write(ExportFormat::lammps, "last"); // LAMMPS reads a dump into what is there
     }
     const std::string command = fmt::format(fmt::runtime(reader.command), FROSTFILL_READERS,
                                             folder.path().string(), reader.format);
@@ -81,8 +80,6 @@ INSTANTIATE_TEST_SUITE_P(
         ::testing::Values(Reader{"Hand", "csv", "/usr/bin/python3 -V", kByHand},
                           Reader{"Hand", "xyz", "/usr/bin/python3 -V", kByHand},
                           Reader{"Hand", "lammps-dump", "/usr/bin/python3 -V", kByHand},
-                          Reader{"Hand", "lammps-data", "/usr/bin/python3 -V", kByHand},
-                          Reader{"Hand", "ply", "/usr/bin/python3 -V", kByHand},
                           Reader{"Hand", "vtp", "/usr/bin/python3 -V", kByHand},
                           Reader{"Hand", "npz", "/usr/bin/python3 -V", kByHand},
                           Reader{"Hand", "glb", "/usr/bin/python3 -V", kByHand},
@@ -95,12 +92,8 @@ INSTANTIATE_TEST_SUITE_P(
                                  "pvpython '{0}/with_paraview.py' '{1}' {2}"},
                           Reader{"Ase", "xyz", "/usr/bin/python3 -c 'import ase'",
                                  "/usr/bin/python3 '{0}/with_ase.py' '{1}' {2}"},
-                          Reader{"Lammps", "lammps-data", "which lmp",
-                                 "/usr/bin/python3 '{0}/with_lammps.py' '{1}' {2}"},
                           Reader{"Lammps", "lammps-dump", "which lmp",
                                  "/usr/bin/python3 '{0}/with_lammps.py' '{1}' {2}"},
-                          Reader{"Meshio", "ply", "/usr/bin/python3 -c 'import meshio'",
-                                 "/usr/bin/python3 '{0}/with_meshio.py' '{1}' {2}"},
                           Reader{"F3d", "glb", "which f3d xvfb-run",
                                  "/usr/bin/python3 '{0}/with_f3d.py' '{1}' {2}"},
                           Reader{"Blender", "glb", "which blender",
@@ -122,11 +115,9 @@ INSTANTIATE_TEST_SUITE_P(
                           Reader{"Hand", "mfix", "/usr/bin/python3 -V", kInputsByHand},
                           Reader{"Hand", "lethe", "/usr/bin/python3 -V", kInputsByHand},
                           Reader{"Hand", "openmc", "/usr/bin/python3 -V", kInputsByHand},
-                          Reader{"Hand", "gmsh", "/usr/bin/python3 -V", kInputsByHand},
                           Reader{"Liggghts", "liggghts", "which liggghts", kWithInputs},
                           Reader{"Lammps", "lammps", "which lmp", kWithInputs},
-                          Reader{"Yade", "yade", "which yade", kWithInputs},
-                          Reader{"Gmsh", "gmsh", "which gmsh", kWithInputs}),
+                          Reader{"Yade", "yade", "which yade", kWithInputs}),
         ::testing::Bool()),
     nameOfTest);
 

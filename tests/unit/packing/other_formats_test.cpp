@@ -13,8 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <limits>
 
 namespace frostfill
 {
@@ -49,52 +47,12 @@ protected:
     test::TemporaryFolder folder_;
 };
 
-std::string bytesOf(const std::vector<double>& numbers)
-{
-    std::string bytes(numbers.size() * sizeof(double), '\0');
-    std::memcpy(bytes.data(), numbers.data(), bytes.size());
-    return bytes;
-}
-
-const std::vector<double> kTwo = {0.5, -1, 2, 0.5, 1, 2, -3e-3, 1};
-
 TEST_F(OtherFormats, IncludeTheTextOfYadeInEachOfItsForms)
 {
     expectTwo(read("#format x_y_z_r\n# a comment\n0.5\t-1\t2\t0.25\n1\t2\t-3e-3\t0.5\n"), "YADE");
     expectTwo(read("#format id_x_y_z_r_matId\n7 0.5 -1 2 0.25 1\n8 1 2 -3e-3 0.5 1\n"), "YADE");
     expectTwo(read("#format x_y_z_r_attrs\n# x y z r v\n0.5 -1 2 0.25 9\n1 2 -3e-3 0.5 9\n"),
               "YADE");
-}
-
-TEST_F(OtherFormats, IncludeMercuryDpmUpToItsLastMoment)
-{
-    const std::string first = "1 0 0 0 0 1 1 1\n9 9 9 0 0 0 9 0 0 0 0 0 0 0\n";
-    expectTwo(read(first + "2 0.1 -2 -2 -2 2 2 2\n0.5 -1 2 7 7 7 0.25 8 8 8 6 6 6 0\n"
-                           "1 2 -3e-3 7 7 7 0.5 8 8 8 6 6 6 1\n"),
-              "MercuryDPM");
-}
-
-std::string mfix(const std::string& diameter, const std::string& rows,
-                 const std::string& phase = "F 1")
-{
-    return "Version 2.0\n====\nInstructions:\nDimension: Enter \"2\" for 2D, \"3\" for 3D "
-           "(Integer)\n"
-           "Particles: Number of particles to read\n====\nDimension:    3\nParticles:    2\n====\n"
-           "Variable      Read(T/F)     Default value (when Read=F)\n====\n"
-           "Coordinates:     T          Must always be T\nPhase_ID:  " +
-           phase + "\nDiameter:  " + diameter +
-           "\nDensity:   T  (Real)\nVelocity:  F 0.0 0.0 0.0\n====\n|  X  |  Y  |  Z  |\n====\n" +
-           rows;
-}
-
-TEST_F(OtherFormats, IncludeTheParticleInputOfMfix)
-{
-    expectTwo(read(mfix("T", "0.5 -1 2 0.5 2500\n1 2 -3e-3 1 2500\n")), "MFiX");
-    expectTwo(read(mfix("T 9", "0.5 -1 2  1  0.5 2500\n1 2 -3e-3  2  1 2500\n", "T")), "MFiX");
-    const Packing one = read(mfix("F 0.25", "0.5 -1 2 2500\n1 2 3 2500\n"), {.radius = 7});
-    EXPECT_EQ(one.radii, (std::vector<double>{0.125, 0.125}));
-    EXPECT_EQ(one.centres[1], Eigen::Vector3d(1, 2, 3));
-    EXPECT_EQ(read(mfix("F", "0.5 -1 2\n1 2 3\n"), {.radius = 7}).radii[0], 7);
 }
 
 TEST_F(OtherFormats, IncludeDataFilesOfLammpsInEachStyleOfSpheres)
@@ -112,25 +70,6 @@ TEST_F(OtherFormats, IncludeDataFilesOfLammpsInEachStyleOfSpheres)
         read(head + "Atoms # atomic\n\n1 1 0.5 -1 2\n2 1 1 2 3\n", {.radius = 0.25});
     EXPECT_EQ(points.radii, (std::vector<double>{0.25, 0.25}));
     EXPECT_EQ(points.centres[0], Eigen::Vector3d(0.5, -1, 2));
-}
-
-TEST_F(OtherFormats, IncludeTheBinaryOfPackingGeneration)
-{
-    expectTwo(read(bytesOf(kTwo)), "packing-generation");
-    expectTwo(read(bytesOf(kTwo), {}, "packing.xyzd"), "packing-generation");
-}
-
-// Its spheres grow after the file is begun: https://github.com/VasiliBaranov/packing-generation
-TEST_F(OtherFormats, TakeTheDiametersOfABinaryFromTheInfoBesideIt)
-{
-    writeFile(folder_ / "packing.nfo", "N: 2\n Dimensions: 1 1 1\n Theoretical Porosity: 0.36\n"
-                                       "Final Porosity: 0.488 (Tolerance: 1.0001)\n");
-    const Packing packing = read(bytesOf(kTwo), {}, "packing.xyzd");
-    const double factor = std::cbrt(0.512 / 0.64);
-    EXPECT_NEAR(packing.radii[0], 0.25 * factor, 1e-15);
-    EXPECT_NEAR(packing.radii[1], 0.5 * factor, 1e-15);
-    EXPECT_NE(packing.format.find("0.928318"), std::string::npos) << packing.format;
-    EXPECT_EQ(packing.centres[0], Eigen::Vector3d(0.5, -1, 2));
 }
 
 TEST_F(OtherFormats, IncludeTablesWhoseColumnsAreNamed)
@@ -169,10 +108,7 @@ TEST_F(OtherFormats, GiveBackWhatWasExportedToTheLastBit)
         const char* file;
     };
     for (const Exported& each : {Exported{"yade", "yade.txt"},
-                                 {"mercurydpm", "mercurydpm.data"},
                                  {"lethe", "particles.input"},
-                                 {"mfix", "particle_input.dat"},
-                                 {"lammps-data", "spheres.data"},
                                  {"lammps", "lammps.data"},
                                  {"liggghts", "liggghts.data"},
                                  {"csv", ""},
@@ -188,15 +124,6 @@ TEST_F(OtherFormats, GiveBackWhatWasExportedToTheLastBit)
         EXPECT_EQ(again.centres, run.centres) << each.format;
         EXPECT_EQ(again.radii, run.radii) << each.format;
     }
-    std::vector<double> numbers;
-    for (std::size_t k = 0; k < run.centres.size(); ++k)
-    {
-        numbers.insert(numbers.end(), {run.centres[k].x(), run.centres[k].y(), run.centres[k].z(),
-                                       2 * run.radii[k]});
-    }
-    const Packing binary = read(bytesOf(numbers), {}, "spheres.xyzd");
-    EXPECT_EQ(binary.centres, run.centres);
-    EXPECT_EQ(binary.radii, run.radii);
 }
 
 // It writes them in an order of its own, with 17 digits.
@@ -245,7 +172,6 @@ struct Wrong
 
 TEST_F(OtherFormats, AreRefusedWithTheLineOfTheirFault)
 {
-    const std::string row = " 0 0 0 0 0 0 0\n";
     const std::vector<Wrong> cases = {
         {"", "#format x_y_r\n1 2 3\n", "line 1", "no column z"},
         {"", "#format x_y_z\n1 2 3\n", "line 1", "--radius"},
@@ -255,19 +181,8 @@ TEST_F(OtherFormats, AreRefusedWithTheLineOfTheirFault)
          "the radius of sphere 1 is nan, not above 0"},
         {"", "#format x_y_z_r\n1 2 3 -4\n", "line 2", "the radius of sphere 1 is -4, not above 0"},
         {"", "#format x_y_z_r\n1 two 3 4\n", "line 2", "'two' is no number"},
-        {"", "2 0 0 0 1 1\n1 2 0 0 0.5 0 0 0\n", "line 1", "two dimensions"},
-        {"", "2 0 0 0 0 1 1 1\n1 2 3 0 0 0 0.5" + row, "line 2", "ends before its 2 spheres"},
-        {"", "1 0 0 0 0 1 1 1\n1 2 3 0 0 0 0.5\n", "line 2", "7 values of a sphere"},
-        {"", "2 0 0 0 0 1 1 1\n1 2 3 0 0 0 1" + row + "1 1 0 0 0 1 1 1\n", "line 3",
-         "after 1 of 2 spheres"},
-        {"", "1 0 0 0 0 1 1 1\n1 2 3 0 0 0 0.5" + row + "1 0\n", "line 3", "8: number of spheres"},
-        {"", "1 0 0 0 0 1 1 1\n1 2 3 0 0 0 0" + row, "line 2",
-         "the radius of sphere 1 is 0, not above 0"},
-        {"", "99999999999999999999 0 0 0 0 1 1 1\n", "line 1", "no number of spheres"},
-        {"", bytesOf({1, 2, 3, 4, 1, 2}), "byte 48", "ends within sphere 2"},
-        {"", bytesOf({1, 2, 3, -4}), "byte 0", "a diameter of -4"},
-        {"", bytesOf({1, 2, 3, 4, 1, std::nan(""), 3, 4}), "byte 32", "sphere 2"},
-        {"", bytesOf({1, 2, 3, std::numeric_limits<double>::infinity()}), "byte 0", "inf"},
+        {"x=1,y=2,z=3,radius=7", "1 0 0 0 0 1 1 1\n1 2 3 0 0 0 0.5 0 0\n", "line 2",
+         "9 values, where the first line has 8"},
         {"", "0.1 0.2 0.3 0.4\n1 2 3 4\n", "line 1", "--columns x=1,y=2,z=3,radius=4"},
         {"x=a,y=b,z=d", "a,b,c,r\n1,2,3,4\n", "line 1", "no column 'd' among a, b, c, r"},
         {"x=5", "a,b,c,r\n1,2,3,4\n", "line 1", "no column 5: there are 4"},
@@ -296,22 +211,7 @@ TEST_F(OtherFormats, AreRefusedWithTheLineOfTheirFault)
             std::string("file, ") + each.where + ":", each.what);
     }
     expectError(
-        ErrorCode::badData, [&] { (void)read("", {}, "empty.xyzd"); }, "empty.xyzd",
-        "has no spheres");
-}
-
-TEST_F(OtherFormats, AreRefusedWhereTheInfoBesideABinaryDoesNotSay)
-{
-    for (const char* info : {"N: 2\n", "Theoretical Porosity: 0.3\n",
-                             "Theoretical Porosity: 0.3\nFinal Porosity: 1.2\n",
-                             "Theoretical Porosity: much\nFinal Porosity: 0.3\n",
-                             "Theoretical Porosity:\nFinal Porosity: 0.3\n"})
-    {
-        writeFile(folder_ / "packing.nfo", info);
-        expectError(
-            ErrorCode::badData, [&] { (void)read(bytesOf(kTwo), {}, "packing.xyzd"); },
-            "packing.nfo, line ");
-    }
+        ErrorCode::badData, [&] { (void)read(std::string("1 2 3\0", 6)); }, "is not a text");
 }
 
 TEST_F(OtherFormats, RefuseColumnsThatCannotBeMeant)
@@ -332,8 +232,6 @@ TEST_F(OtherFormats, RefuseColumnsThatCannotBeMeant)
     const std::string dump = "ITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS x y z radius\n1 2 3 4\n";
     expectError(
         ErrorCode::usage, [&] { (void)readBy("x=a", dump); }, "file", "is a LAMMPS dump");
-    expectError(
-        ErrorCode::usage, [&] { (void)readBy("x=a", bytesOf(kTwo)); }, "a binary file");
 }
 
 } // namespace

@@ -114,6 +114,17 @@ TEST(Verdict, BlamesMoreSpheresThanTheVolumeHolds)
     EXPECT_TRUE(contains(faultOf(result), "stopped after 1000 spheres, which take more than"));
 }
 
+TEST(Verdict, BlamesPositionsThatAreNotFinite)
+{
+    FillResult result = goodResult();
+    result.quality.notFinite = 1;
+    for (const Preset preset : {Preset::fast, Preset::paper})
+    {
+        EXPECT_TRUE(contains(faultOf(result, preset), "1 sphere ended at positions that are not "
+                                                      "finite"));
+    }
+}
+
 TEST(Verdict, BlamesMoreThanHalfAPerCentThatHang)
 {
     FillResult result = goodResult();

@@ -113,52 +113,6 @@ def read_dump(oracle):
     oracle.same("lines", at, len(lines))
 
 
-def read_data(oracle):
-    """Sections by the manual of read_data: a comment, a head, then Atoms in the style sphere."""
-    lines = oracle.file("spheres.data").read_text().splitlines()
-    last = oracle.frames[-1]
-    numbers = re.match(r"Packing of frame (\d+) at (\S+) s; types 1 running, 2 frozen, 3 discarded; density 1$",
-                       lines[0])
-    oracle.same("frame and time", [float(word) for word in numbers.groups()], [last["number"], last["time"]])
-    at = lines.index("Atoms # sphere")
-    head = [line.split() for line in lines[1:at] if line]
-    oracle.equal("head", head[:2], [[str(len(last["ids"])), "atoms"], ["3", "atom", "types"]])
-    oracle.equal("axes", [line[2:] for line in head[2:]], [["xlo", "xhi"], ["ylo", "yhi"], ["zlo", "zhi"]])
-    oracle.same("box", bounds(lines[at - 4:at - 1]), last["box"], 1e-12)
-    oracle.equal("empty lines", (lines[1], lines[at - 1], lines[at + 1]), ("", "", ""))
-    rows = [line.split(" ") for line in lines[at + 2:]]
-    oracle.equal("values a row", sorted({len(row) for row in rows}), [7])
-    whole(oracle, ["id", "state"], rows)
-    rows = [list(map(float, row)) for row in rows]
-    oracle.same("densities", [row[3] for row in rows], [1] * len(rows))
-    oracle.frame("data", -1, {"ids": [row[0] - 1 for row in rows],
-                              "states": [row[1] - 1 for row in rows],
-                              "radii": [row[2] / 2 for row in rows],
-                              "centres": [row[4:7] for row in rows]})
-
-
-def read_ply(oracle):
-    kinds = {"double": "d", "float": "f", "uint": "I", "uchar": "B", "int": "i", "ushort": "H"}
-    oracle.files("ply", [f"spheres_{frame['number']:05}.ply" for frame in oracle.frames])
-    for k, frame in enumerate(oracle.frames):
-        head, _, body = oracle.file(f"spheres_{frame['number']:05}.ply").read_bytes().partition(
-            b"end_header\n")
-        lines = head.decode().splitlines()
-        oracle.equal("first lines", lines[:2], ["ply", "format binary_little_endian 1.0"])
-        comment = re.match(r"comment frame (\d+) at (\S+) s$", lines[2])
-        oracle.same("comment", [float(word) for word in comment.groups()], [frame["number"], frame["time"]])
-        oracle.equal("element", lines[3], f"element vertex {len(frame['ids'])}")
-        fields = [line.split() for line in lines[4:]]
-        oracle.equal("lines", [line for line in fields if len(line) != 3 or line[0] != "property"], [])
-        names = [name for _, _, name in fields]
-        required(oracle, names, KINDS)
-        row = "<" + "".join(kinds[kind] for _, kind, _ in fields)
-        for name, kind in zip(names, row[1:]):
-            oracle.equal(f"type of {name}", kind, KINDS.get(name, kind))
-        oracle.same("bytes", len(body), struct.calcsize(row) * len(frame["ids"]))
-        oracle.frame("ply", k, named(list(struct.iter_unpack(row, body)), names))
-
-
 def npy_arrays(oracle, path):
     """Arrays of an .npz file and their shapes, by the definition of .npy 1.0."""
     kinds = {"<f8": "d", "<f4": "f", "<u4": "I", "<i8": "q", "|u1": "B", "<u2": "H", "<i4": "i"}
@@ -217,8 +171,8 @@ def read_npz(oracle):
     oracle.same("triangles", arrays["triangles"], oracle.triangles)
 
 
-READERS = {"csv": read_csv, "xyz": read_xyz, "lammps-dump": read_dump, "lammps-data": read_data,
-           "ply": read_ply, "vtp": read_vtp, "npz": read_npz, "glb": read_glb,
+READERS = {"csv": read_csv, "xyz": read_xyz, "lammps-dump": read_dump,
+           "vtp": read_vtp, "npz": read_npz, "glb": read_glb,
            "glb-instanced": read_instanced}
 
 if __name__ == "__main__":

@@ -187,11 +187,5 @@ def openmc():
     run.same("scaled", made["spheres"][0][:4], [100 * x for x in (*last["centres"][0], last["radii"][0])], 1e-10)
 
 
-def gmsh():
-    rows = re.findall(r"^Sphere\((\d+)\) = \{(.*)\};$", run.file("spheres.geo").read_text(), re.MULTILINE)
-    run.same("ids", [int(number) - 1 for number, _ in rows], last["ids"])
-    spheres([numbers.split(", ") for _, numbers in rows])
-
-
 globals()[sys.argv[2]]()
 run.finish()

@@ -81,23 +81,5 @@ O.run(100, True)""", text, flags=re.MULTILINE)
     inside([row[:3] for row in end])
 
 
-def gmsh():
-    """OpenCASCADE measures the volume and the middle of each sphere."""
-    script = run.folder / "measure.geo"
-    script.write_text(f'Include "{run.file("spheres.geo")}";\n' + """
-volumes[] = Volume{:};
-For i In {0:#volumes[]-1}
-  c[] = CenterOfMass Volume{volumes[i]};
-  m = Mass Volume{volumes[i]};
-  Printf("sphere %g %.17g %.17g %.17g %.17g", volumes[i], c[0], c[1], c[2], m);
-EndFor
-""")
-    rows = [[float(word) for word in line.split()[1:]]
-            for line in call("gmsh", "-parse_and_exit", str(script)).splitlines() if line.startswith("sphere ")]
-    run.same("ids", [row[0] - 1 for row in rows], last["ids"])
-    run.same("centres", [row[1:4] for row in rows], last["centres"], 1e-9)
-    run.same("volumes", [row[4] for row in rows], [4 / 3 * 3.141592653589793 * r**3 for r in last["radii"]], 1e-9)
-
-
 globals()[sys.argv[2]]()
 run.finish()

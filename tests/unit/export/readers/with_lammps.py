@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""LAMMPS: with_lammps.py FOLDER lammps-dump|lammps-data. It reads the file, runs 0 steps and writes a
-dump of its own, which is read back."""
+"""LAMMPS: with_lammps.py FOLDER lammps-dump. It reads a frame into the spheres of lammps.data, runs 0
+steps and writes a dump of its own, which is read back."""
 import subprocess
 import sys
 
 from oracle import Oracle
 
 run = Oracle(sys.argv[1])
-last = run.frames[-1]
 DUMP = """
 dump own all custom 1 {out} id type x y z radius
 dump_modify own sort id format float %.17g
@@ -28,7 +27,7 @@ timestep 1e-9
 
 
 def ask(read, out):
-    text = SCRIPT.format(data=run.file("spheres.data"), read=read, out=out)
+    text = SCRIPT.format(data=run.file("lammps.data"), read=read, out=out)
     script = run.folder / "in.lammps"
     script.write_text(text)
     done = subprocess.run(["lmp", "-in", str(script), "-log", "none", "-echo", "none"],
@@ -41,11 +40,8 @@ def ask(read, out):
 
 
 OUT = run.folder / "lammps.out"
-if sys.argv[2] == "lammps-data":
-    rows, frame = ask("", OUT), last
-else:
-    frame = run.frames[len(run.frames) // 2]
-    rows = ask(f"read_dump {run.file('spheres.dump')} {frame['number']} x y z box yes trim yes", OUT)
+frame = run.frames[len(run.frames) // 2]
+rows = ask(f"read_dump {run.file('spheres.dump')} {frame['number']} x y z box yes trim yes", OUT)
 count = len(frame["radii"])
 run.same("ids", [row[0] - 1 for row in rows], frame["ids"])
 run.same("radii", [row[5] for row in rows], frame["radii"], 1e-15)

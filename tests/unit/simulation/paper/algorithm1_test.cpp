@@ -34,7 +34,7 @@ protected:
     Surface surface{shapes::box({-10, -10, -10}, {10, 10, 10}, 2)};
     std::vector<PolygonState> polygons = std::vector<PolygonState>(48, PolygonState::active);
     std::unique_ptr<PolygonSearchPart> search =
-        polygonSearches()[PolygonSearch::loop]({surface, polygons});
+        makePolygonSearch(PolygonSearch::loop, {surface, polygons});
     Algorithm1 algorithm{spheres, surface, *search, {0.5, 0.01}};
     OperationCounts counts;
 };
@@ -125,7 +125,7 @@ TEST_F(Algorithm1Test, CentreThatWasBehindTheWallBeforeIsLeftAlone)
 TEST_F(Algorithm1Test, StepThatWallsUndoIsTakenBackAndStartsFromRest)
 {
     const Surface slab(shapes::box({-10, -10, -0.5}, {10, 10, 0.5}, 2));
-    const auto slabSearch = polygonSearches()[PolygonSearch::loop]({slab, polygons});
+    const auto slabSearch = makePolygonSearch(PolygonSearch::loop, {slab, polygons});
     Algorithm1 narrow(spheres, slab, *slabSearch, {0.5, 0.01});
     const auto id = add({0.3, 0.2, 0.1}, {0, 0, 1});
     const std::vector<Eigen::Vector3d> before = {{0.3, 0.2, 0.05}};
