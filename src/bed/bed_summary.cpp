@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "bed/bed_summary.hpp"
-
-#include "output/atomic_file.hpp"
 
 namespace frostfill
 {

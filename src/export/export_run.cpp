@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/measured_columns.hpp"
+#include "base/atomic_file.hpp"
 #include "export/exporter.hpp"
-#include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"

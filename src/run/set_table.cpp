@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "run/set_table.hpp"
-
+#include "base/atomic_file.hpp"
 #include "base/statistics.hpp"
-#include "output/atomic_file.hpp"
+#include "run/set_table.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/files/analysis_points.hpp"
 #include "analysis/sphere_values.hpp"
+#include "base/atomic_file.hpp"
 #include "base/threads.hpp"
-#include "output/atomic_file.hpp"
 #include "output/column_text.hpp"
 
 #include <frostfill/error.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "export/inputs/start_state.hpp"
 #include "mesh/interior/nearest_point.hpp"
-#include "output/atomic_file.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "study/figures/figure.hpp"
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "study/figures/embedded_scripts.hpp"
 #include "study/figures/gnuplot.hpp"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "base/processor_time.hpp"
 #include "base/run_program.hpp"
 #include "export/inputs/start_state.hpp"
-#include "output/atomic_file.hpp"
 #include "output/stl_text.hpp"
 #include "study/peers/peer.hpp"
 #include "study/peers/pouring.hpp"
