@@ -252,7 +252,9 @@ Command addFillCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand(
         "fill", "Fill a mesh with spheres; write frames, tables and a summary");
     command->footer(kFillExamples);
-    command->add_option("MESH", arguments->mesh, "torus, sphere, cube, human, or a mesh file");
+    command->add_option(
+        "MESH", arguments->mesh,
+        "torus, sphere, cube, human, a container such as cylinder:1,4, or a mesh file");
     command
         ->add_option("--scene", arguments->sceneFile,
                      "Scene file (TOML), or summary.json of a run to repeat")

@@ -31,10 +31,9 @@ Scene requestedScene(const FillArguments& arguments)
 {
     if (arguments.mesh.empty() && arguments.sceneFile.empty())
     {
-        throw Error(
-            ErrorCode::usage,
-            "give a MESH (torus, sphere, cube, human or a file), a --scene or a --resume; see "
-            "frostfill fill --help");
+        throw Error(ErrorCode::usage,
+                    "give a MESH (torus, cylinder:1,4, a file), a --scene or a --resume; see "
+                    "frostfill fill --help");
     }
     Scene scene = arguments.sceneFile.empty()
                       ? presetScene(requestedPreset(arguments.given), arguments.mesh)
