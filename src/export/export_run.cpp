@@ -110,8 +110,8 @@ void checkOptions(const ExportRequest& request, const ExportFormatInfo& format)
         (isApart || contacts != ContactTreatment::none))
     {
         throw Error(ErrorCode::usage,
-                    fmt::format("{} has whole spheres: give --contacts shrink:FACTOR{}; caps and "
-                                "bridges are in stl-bed and openfoam",
+                    fmt::format("{} has whole spheres: give --contacts shrink:FACTOR{}; caps are "
+                                "in stl-bed and openfoam",
                                 format.name, isApart ? "" : " or none"));
     }
 }

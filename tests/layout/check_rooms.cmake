@@ -74,7 +74,7 @@ room(packing ${mesh} scene scene/options snapshot simulation simulation/quality 
 room(analysis base geometry ${mesh} bulk scene snapshot simulation simulation/quality packing)
 room(output base mesh snapshot scene scene/options image)
 room(shell mesh mesh/interior geometry snapshot)
-room(bed base geometry mesh mesh/interior output run_file)
+room(bed base geometry mesh mesh/interior mesh/repair output run_file)
 room(export base mesh view scene scene/options snapshot run_file output shell bed analysis)
 room(export/inputs base mesh mesh/interior scene snapshot output export)
 room(run base mesh bulk view scene scene/options snapshot simulation image renderer render/overlay run_file output analysis)
