@@ -695,6 +695,7 @@ def analyse(
         up: str = ...,
         centre: ArrayLike | None = ...,
         below: float | None = ...,
+        forces: float | None = ...,
         bins: int = ...,
         range: float = ...,
         gap: float = ...,
@@ -772,6 +773,9 @@ class PackingAnalysis:
     @property
     def network(self) -> NDArray[numpy.float64]:
         """float64 [contacts, 3] rows of the two spheres in the lists, and the gap between them"""
+    @property
+    def forces(self) -> NDArray[numpy.float64]:
+        """float64 [contacts, 3] [weight of a mean sphere] on the first sphere of each row of network, if forces were asked for; what they leave is summary's largest_unbalance"""
     @property
     def summary(self) -> dict:
         """what summary.json holds: means, counts and settings"""
