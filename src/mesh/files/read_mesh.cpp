@@ -66,10 +66,10 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
         return readAsciiStl(bytes);
     case FileKind::binaryStl:
         return readBinaryStl(bytes);
-    case FileKind::gltf:
+    default:
         break;
     }
-    return readGltf(file, bytes);
+    return readScene(file, bytes, endingOfScene(kind));
 }
 
 } // namespace
