@@ -56,6 +56,10 @@ AnalysisSettings settingsOf(const py::dict& given)
     {
         settings.below = numberOf(given["below"], "below");
     }
+    if (!given["forces"].is_none())
+    {
+        settings.forces = numberOf(given["forces"], "forces");
+    }
     settings.bins = countOf(given["bins"], "bins");
     settings.range = numberOf(given["range"], "range");
     settings.contactGap = numberOf(given["gap"], "gap");
@@ -236,6 +240,18 @@ void addTables(Class& type)
                            });
         },
         "float64 [contacts, 3] rows of the two spheres in the lists, and the gap between them");
+    type.def_property_readonly(
+        "forces",
+        [](const A& a)
+        {
+            return tableOf(
+                partOf(a.contacts, "contacts").network,
+                [](const SphereContact& contact) {
+                    return std::array{contact.force.x(), contact.force.y(), contact.force.z()};
+                });
+        },
+        "float64 [contacts, 3] [weight of a mean sphere] on the first sphere of each row of "
+        "network, if forces were asked for; what they leave is summary's largest_unbalance");
 }
 
 std::vector<std::string> save(const Owner& analysis, const py::object& folder, bool overwrite)

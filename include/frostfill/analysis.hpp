@@ -32,8 +32,17 @@ enum class AnalysisKind : std::uint8_t
 /// Throws Error usage, with all of them, for another word.
 [[nodiscard]] AnalysisKind analysisKind(const std::string& name);
 
+/// What the mesh around a packing is.
+enum class AnalysisBounds : std::uint8_t
+{
+    walls,
+    none,     ///< a box around spheres of which no container is known: porosity and cells need one
+    periodic, ///< a box along the axes that repeats in all directions: it has no walls, no cells
+};
+
 struct AnalysisSettings
 {
+    AnalysisBounds bounds = AnalysisBounds::walls;
     Axis up = Axis::y; ///< of the profiles
     /// A point of the axis of the radial profiles [mesh unit]; none: the middle of the mesh's box.
     std::optional<Eigen::Vector3d> centre = {};
@@ -46,6 +55,9 @@ struct AnalysisSettings
     double bondLength = 1.3;  ///< [sum of both radii] up to which two are bonded, for Q6
     /// Contacts, walls included, that a sphere needs to be held: three carry one under gravity.
     std::uint32_t rattlersBelow = 3;
+    /// Friction under which contacts get forces: those that hold all spheres at once, as the judge
+    /// finds them; none: no forces. One set of many that would do.
+    std::optional<double> forces = {};
     std::size_t samples = std::size_t{1} << 20; ///< places at which porosity is sampled
     int threads = 0;                            ///< 0: one for each core; no bit depends on it
     /// Which analyses; none: all, without the cells where they are not built in.
@@ -85,6 +97,8 @@ struct SphereContact
     std::uint32_t first = 0; ///< index among the spheres of the analysis
     std::uint32_t second = 0;
     double gap = 0; ///< [mesh unit] negative where they overlap
+    /// [weight of a sphere of mean volume] on `first`, if AnalysisSettings asks for forces
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
 };
 
 /// Sphere k is entry k of each list.
@@ -98,6 +112,7 @@ struct ContactStatistics
     double meanInside = 0;              ///< of those away from walls and surface; NaN if none are
     double meanHeld = 0;                ///< among those that are no rattlers; NaN if there are none
     std::size_t rattlers = 0;
+    double unbalance = 0; ///< [own weight] that forces miss on a sphere, at most
 };
 
 enum class CellKind : std::uint8_t

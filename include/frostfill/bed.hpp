@@ -13,10 +13,9 @@ namespace frostfill
 /// can fill.
 enum class ContactTreatment : std::uint8_t
 {
-    none,    ///< spheres as they are
-    shrink,  ///< all radii are multiplied
-    caps,    ///< spheres are flattened where they are near, so that a gap is left
-    bridges, ///< cylinders join what is near
+    none,   ///< spheres as they are
+    shrink, ///< all radii are multiplied
+    caps,   ///< spheres are flattened where they are near, so that a gap is left
 };
 
 /// How a packing becomes geometry: a surface, a case for OpenFOAM, volumes of values.
@@ -24,10 +23,9 @@ struct BedSettings
 {
     ContactTreatment contacts = ContactTreatment::shrink;
     double factor = 0.99; ///< of radii, by `shrink`
-    /// [smaller radius] between spheres, and between a sphere and a wall: what is nearer is treated
-    /// by `caps`, which leave such a gap, or by `bridges`.
+    /// [smaller radius] between spheres, and between a sphere and a wall: what is nearer gets
+    /// `caps`, which leave such a gap.
     double gap = 0.02;
-    double bridge = 0.2; ///< [smaller radius] radius of a bridge
     /// Parts of an edge of the icosahedron that spheres are made of: they have 20 N^2 triangles.
     std::size_t resolution = 4;
     bool ascii = false;       ///< STL as text with named solids
@@ -37,8 +35,7 @@ struct BedSettings
     int threads = 0; ///< 0: one for each core; no bit depends on it
 };
 
-/// Reads none, shrink[:FACTOR], caps[:GAP] or bridges[:RADIUS[,GAP]] into the settings. Throws
-/// Error usage.
+/// Reads none, shrink[:FACTOR] or caps[:GAP] into the settings. Throws Error usage.
 void parseContacts(const std::string& text, BedSettings& settings);
 
 /// Throws Error usage for what makes no sense.

@@ -136,7 +136,7 @@ struct LoadMeshOptions
 [[nodiscard]] LoadedMesh loadMesh(const std::string& nameOrFile,
                                   const LoadMeshOptions& options = {});
 
-/// The paper's objects, compiled into the library: "torus", "sphere", "cube", "human".
+/// The paper's objects, "torus", "sphere", "cube" and "human", or a container: "cylinder:1,4".
 [[nodiscard]] bool isBuiltInMesh(std::string_view name);
 [[nodiscard]] std::vector<std::string> builtInMeshNames();
 /// Throws Error badData for an unknown name.

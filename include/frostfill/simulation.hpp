@@ -59,10 +59,16 @@ struct EquilibriumReport
 /// How all spheres have settled together: see Rest::joint.
 struct SettlingReport
 {
+    static constexpr double kOverlap = 1e-8;       ///< [r] allowed
+    static constexpr double kMissing = 0.1;        ///< [own weight] allowed on any sphere
+    static constexpr double kMissingOnMost = 0.02; ///< [own weight] allowed on all but `mayMove`
+
     std::size_t rounds = 0; ///< times that all have settled; the object is filled up in between
     bool settled = false;   ///< false: some still moved when they were frozen the last time
     double missing = 0;     ///< [own weight] that forces miss on a sphere in the end, at most
     double overlap = 0;     ///< [r] that was left, at most
+    std::size_t moving = 0; ///< spheres on which more than kMissingOnMost was missing
+    std::size_t mayMove = 0;
     /// [1] packing fraction of the bulk, if RestSettings asks for one and there is some bulk
     std::optional<double> fraction = {};
 };

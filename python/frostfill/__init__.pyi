@@ -355,6 +355,7 @@ def analyse(
         up: str = ...,
         centre: ArrayLike | None = ...,
         below: float | None = ...,
+        forces: float | None = ...,
         bins: int = ...,
         range: float = ...,
         gap: float = ...,
@@ -407,6 +408,8 @@ class PackingAnalysis:
     def pairs(self) -> NDArray[numpy.float64]: ...
     @property
     def network(self) -> NDArray[numpy.float64]: ...
+    @property
+    def forces(self) -> NDArray[numpy.float64]: ...
     @property
     def summary(self) -> dict: ...
     def save(self, folder: Any, overwrite: bool = False) -> List[str]: ...

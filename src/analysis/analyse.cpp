@@ -28,11 +28,17 @@ void require(bool holds, const char* what)
     }
 }
 
+bool needsWalls(AnalysisKind kind)
+{
+    return kind == AnalysisKind::porosity || kind == AnalysisKind::cells;
+}
+
 bool isAsked(const AnalysisSettings& settings, AnalysisKind kind)
 {
     if (settings.only.empty())
     {
-        return kind != AnalysisKind::cells || hasVoronoiCells();
+        return !needsWalls(kind) || (settings.bounds == AnalysisBounds::walls &&
+                                     (kind != AnalysisKind::cells || hasVoronoiCells()));
     }
     return std::find(settings.only.begin(), settings.only.end(), kind) != settings.only.end();
 }
@@ -55,11 +61,19 @@ void checkSpheres(const Packing& packing)
     }
 }
 
+/// The image of a place in a box that repeats.
+Eigen::Vector3d wrapped(const Eigen::Vector3d& p, const Eigen::AlignedBox3d& box)
+{
+    const Eigen::Array3d share = (p - box.min()).array() / box.sizes().array();
+    return box.min() + ((share - share.floor()) * box.sizes().array()).matrix();
+}
+
 /// Keeps the spheres that are inside, and counts the others.
 void takeSpheres(const Packing& packing, const Container& container, Threads& threads,
                  PackingAnalysis& analysis)
 {
     const std::size_t count = packing.radii.size();
+    const bool repeats = analysis.settings.bounds == AnalysisBounds::periodic;
     std::vector<std::uint8_t> inside(count, 0);
     forEachPart(threads, count, AnalysisInput::kInPart,
                 [&](std::size_t first, std::size_t end, std::size_t)
@@ -67,7 +81,8 @@ void takeSpheres(const Packing& packing, const Container& container, Threads& th
                     for (std::size_t k = first; k < end; ++k)
                     {
                         const Eigen::Vector3d& centre = packing.centres[k];
-                        inside[k] = centre.allFinite() && container.contains(centre) ? 1 : 0;
+                        inside[k] =
+                            centre.allFinite() && (repeats || container.contains(centre)) ? 1 : 0;
                     }
                 });
     for (std::size_t k = 0; k < count; ++k)
@@ -75,7 +90,8 @@ void takeSpheres(const Packing& packing, const Container& container, Threads& th
         if (inside[k] != 0)
         {
             analysis.ids.push_back(static_cast<std::uint32_t>(k));
-            analysis.centres.push_back(packing.centres[k]);
+            analysis.centres.push_back(repeats ? wrapped(packing.centres[k], container.box())
+                                               : packing.centres[k]);
             analysis.radii.push_back(packing.radii[k]);
             analysis.sphereVolume += ballVolume(packing.radii[k]);
         }
@@ -90,7 +106,9 @@ void takeSpheres(const Packing& packing, const Container& container, Threads& th
                 {
                     for (std::size_t k = first; k < end; ++k)
                     {
-                        analysis.wallDistances[k] = container.distanceToWall(analysis.centres[k]);
+                        analysis.wallDistances[k] =
+                            repeats ? std::numeric_limits<double>::infinity()
+                                    : container.distanceToWall(analysis.centres[k]);
                     }
                 });
 }
@@ -122,6 +140,13 @@ void checkSettings(const AnalysisSettings& settings)
     require(!settings.centre || settings.centre->allFinite(), "the centre must be three numbers");
     require(!settings.below || *settings.below > 0,
             "the height below which the bed is must be above 0");
+    require(!settings.forces ||
+                (*settings.forces >= 0 && *settings.forces <= JudgeSettings::kMostFriction),
+            "the friction of forces must be from 0 to 8");
+    require(settings.bounds == AnalysisBounds::walls ||
+                (!settings.forces &&
+                 std::none_of(settings.only.begin(), settings.only.end(), needsWalls)),
+            "porosity, cells and forces need walls: a mesh, or a box that does not repeat");
     require(settings.threads >= 0, "the number of threads must not be negative");
     if (!hasVoronoiCells() && std::find(settings.only.begin(), settings.only.end(),
                                         AnalysisKind::cells) != settings.only.end())
@@ -213,8 +238,10 @@ PackingAnalysis analyseIn(const Container& container, const Packing& packing,
         return analysis;
     }
     const auto up = static_cast<Eigen::Index>(settings.up);
-    const BedTop top = settings.below ? BedTop(up, container.box().min()[up] + *settings.below)
-                                      : BedTop(up, analysis.centres, analysis.radii);
+    const BedTop top = settings.bounds == AnalysisBounds::periodic
+                           ? BedTop(up, std::numeric_limits<double>::infinity())
+                       : settings.below ? BedTop(up, container.box().min()[up] + *settings.below)
+                                        : BedTop(up, analysis.centres, analysis.radii);
     for (const Eigen::Vector3d& centre : analysis.centres)
     {
         analysis.depths.push_back(top.depth(centre));
@@ -229,6 +256,7 @@ PackingAnalysis analyseIn(const Container& container, const Packing& packing,
                               analysis.wallDistances,
                               top,
                               analysis.depths,
+                              packing.rollingFriction,
                               analysis.largestRadius,
                               meanDiameterOf(analysis.radii),
                               threads};

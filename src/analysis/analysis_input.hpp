@@ -29,6 +29,7 @@ struct AnalysisInput
     std::span<const double> wallDistances;
     const BedTop& top;
     std::span<const double> depths; ///< [mesh unit] of the centres below the surface
+    double rollingFriction;         ///< under which the packing rests
     double largestRadius;
     double meanDiameter; ///< [mesh unit] by number
     Threads& threads;
@@ -39,6 +40,40 @@ struct AnalysisInput
     static constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
     [[nodiscard]] std::size_t size() const { return radii.size(); }
+    [[nodiscard]] bool isPeriodic() const { return settings.bounds == AnalysisBounds::periodic; }
+    /// Calls visit(q, shift) for p and, where the box repeats, for those of its images whose
+    /// neighbours within `reach` may be in the box.
+    template <class Visit>
+    void forEachImage(const Eigen::Vector3d& p, double reach, Visit&& visit) const
+    {
+        const Eigen::AlignedBox3d& box = container.box();
+        if (!isPeriodic())
+        {
+            return visit(p, Eigen::Vector3d(Eigen::Vector3d::Zero()));
+        }
+        for (int image = 0; image < 27; ++image)
+        {
+            const Eigen::Vector3d step(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
+            const Eigen::Vector3d shift = step.cwiseProduct(box.sizes());
+            if (box.exteriorDistance(Eigen::Vector3d(p + shift)) <= reach)
+            {
+                visit(Eigen::Vector3d(p + shift), shift);
+            }
+        }
+    }
+    /// As SphereLevels::forEachNear, with neighbours across the sides of a box that repeats.
+    template <class ReachOf, class Visit>
+    void forEachNear(const Eigen::Vector3d& p, ReachOf&& reachOf, Visit&& visit) const
+    {
+        forEachImage(p, reachOf(largestRadius),
+                     [&](const Eigen::Vector3d& q, const Eigen::Vector3d& shift)
+                     {
+                         levels.forEachNear(
+                             q, reachOf,
+                             [&](std::uint32_t id, const Eigen::Vector3d& centre, double radius)
+                             { visit(id, Eigen::Vector3d(centre - shift), radius); });
+                     });
+    }
     [[nodiscard]] std::size_t parts() const { return (size() + kInPart - 1) / kInPart; }
     /// How far the bed reaches in all directions about a sphere's centre.
     [[nodiscard]] double room(std::size_t k) const { return std::min(wallDistances[k], depths[k]); }

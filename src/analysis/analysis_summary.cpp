@@ -51,13 +51,18 @@ Json ofPairs(const PairCorrelation& pairs)
             {"highest_g_to", peak ? numberOrNull(peak->to) : Json(nullptr)}};
 }
 
-Json ofContacts(const ContactStatistics& contacts)
+Json ofContacts(const ContactStatistics& contacts, bool hasForces)
 {
-    return {{"pairs", contacts.network.size()},
-            {"mean", contacts.mean},
-            {"mean_away_from_walls", numberOrNull(contacts.meanInside)},
-            {"mean_without_rattlers", numberOrNull(contacts.meanHeld)},
-            {"rattlers", contacts.rattlers}};
+    Json json = {{"pairs", contacts.network.size()},
+                 {"mean", contacts.mean},
+                 {"mean_away_from_walls", numberOrNull(contacts.meanInside)},
+                 {"mean_without_rattlers", numberOrNull(contacts.meanHeld)},
+                 {"rattlers", contacts.rattlers}};
+    if (hasForces)
+    {
+        json["largest_unbalance"] = contacts.unbalance;
+    }
+    return json;
 }
 
 Json ofCells(const CellStatistics& cells)
@@ -85,6 +90,14 @@ Json settingsJson(const AnalysisSettings& settings)
                  {"bond_length", settings.bondLength},
                  {"rattlers_below", settings.rattlersBelow},
                  {"samples", settings.samples}};
+    if (settings.bounds != AnalysisBounds::walls)
+    {
+        json["bounds"] = settings.bounds == AnalysisBounds::none ? "none" : "periodic";
+    }
+    if (settings.forces)
+    {
+        json["forces"] = *settings.forces;
+    }
     json["below"] = settings.below ? Json(*settings.below) : Json(nullptr);
     if (settings.centre)
     {
@@ -103,6 +116,10 @@ std::string analysisSummary(const PackingAnalysis& analysis)
                  {"mesh_volume", analysis.meshVolume},
                  {"sphere_volume", analysis.sphereVolume},
                  {"packing_fraction", analysis.sphereVolume / analysis.meshVolume}};
+    if (analysis.settings.bounds == AnalysisBounds::none)
+    {
+        json["mesh_volume"] = json["packing_fraction"] = nullptr; // of a box around the spheres
+    }
     if (analysis.porosity)
     {
         json["porosity"] = ofPorosity(analysis);
@@ -113,7 +130,7 @@ std::string analysisSummary(const PackingAnalysis& analysis)
     }
     if (analysis.contacts)
     {
-        json["contacts"] = ofContacts(*analysis.contacts);
+        json["contacts"] = ofContacts(*analysis.contacts, analysis.settings.forces.has_value());
     }
     if (analysis.cells)
     {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/analysis_input.hpp"
+#include "simulation/quality/quality.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace frostfill
 {
@@ -14,7 +16,7 @@ void addContacts(const AnalysisInput& input, std::uint32_t k, std::vector<Sphere
     const auto begin = static_cast<std::ptrdiff_t>(network.size());
     const double radius = input.radii[k];
     const double share = input.settings.contactGap;
-    input.levels.forEachNear(
+    input.forEachNear(
         input.centres[k],
         [&](double largest) { return radius + largest + share * std::min(radius, largest); },
         [&](std::uint32_t other, const Eigen::Vector3d& centre, double its)
@@ -98,6 +100,27 @@ void findRattlers(ContactStatistics& statistics, std::uint32_t fewest)
     }
 }
 
+/// Contacts that are wider than the judge's carry nothing.
+void findForces(ContactStatistics& statistics, const AnalysisInput& input)
+{
+    const ContactForces found = forcesBetween(
+        input.container.mesh(), input.centres, input.radii, input.settings.up,
+        {.friction = *input.settings.forces, .rollingFriction = input.rollingFriction});
+    statistics.unbalance = found.missing;
+    for (const auto& [upon, from, force] : found.pairs)
+    {
+        const auto [first, second] = std::minmax(upon, from);
+        const auto at = std::lower_bound(statistics.network.begin(), statistics.network.end(),
+                                         std::pair(first, second),
+                                         [](const SphereContact& a, const auto& ids)
+                                         { return std::pair(a.first, a.second) < ids; });
+        if (at != statistics.network.end() && at->first == first && at->second == second)
+        {
+            at->force = first == upon ? force : Eigen::Vector3d(-force);
+        }
+    }
+}
+
 double meanOf(double sum, std::size_t count)
 {
     return count > 0 ? sum / static_cast<double>(count) : AnalysisInput::kNothing;
@@ -146,7 +169,8 @@ ContactStatistics findContacts(const AnalysisInput& input)
             for (std::size_t k = first; k < end; ++k)
             {
                 const double reach = input.radii[k] * (1 + input.settings.contactGap);
-                if (input.wallDistances[k] <= reach)
+                if (input.settings.bounds == AnalysisBounds::walls &&
+                    input.wallDistances[k] <= reach)
                 {
                     statistics.walls[k] = input.container.wallsWithin(input.centres[k], reach);
                 }
@@ -154,6 +178,10 @@ ContactStatistics findContacts(const AnalysisInput& input)
         });
     findRattlers(statistics, input.settings.rattlersBelow);
     findMeans(statistics, input);
+    if (input.settings.forces)
+    {
+        findForces(statistics, input);
+    }
     return statistics;
 }
 

@@ -12,7 +12,7 @@ BondOrder6 bondsOf(const AnalysisInput& input, std::size_t k)
     const double radius = input.radii[k];
     const double share = input.settings.bondLength;
     BondOrder6 order;
-    input.levels.forEachNear(
+    input.forEachNear(
         input.centres[k], [&](double largest) { return share * (radius + largest); },
         [&](std::uint32_t other, const Eigen::Vector3d& centre, double its)
         {

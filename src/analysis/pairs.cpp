@@ -30,7 +30,9 @@ double rangeWithRoom(const AnalysisInput& input, double asked)
     }
     const auto nth = distances.end() - static_cast<std::ptrdiff_t>(fewest);
     std::nth_element(distances.begin(), nth, distances.end());
-    return std::min(asked, *nth);
+    // No farther than to the spheres' own images.
+    return input.isPeriodic() ? std::min(asked, input.container.box().sizes().minCoeff())
+                              : std::min(asked, *nth);
 }
 
 /// Counts of distances of neighbours of some centres.
@@ -63,8 +65,8 @@ public:
                                    }
                                });
         }
-        --counts_.front(); // itself
     }
+    void leaveOutItself() { --counts_.front(); }
     void add(const PairCounts& other)
     {
         std::transform(counts_.begin(), counts_.end(), other.counts_.begin(), counts_.begin(),
@@ -132,7 +134,10 @@ PairCorrelation findPairs(const AnalysisInput& input)
                 {
                     for (std::size_t k = first; k < end; ++k)
                     {
-                        counts[part].look(input.levels, input.centres[centres[k]]);
+                        counts[part].leaveOutItself();
+                        input.forEachImage(input.centres[centres[k]], pairs.range,
+                                           [&](const Eigen::Vector3d& q, const Eigen::Vector3d&)
+                                           { counts[part].look(input.levels, q); });
                     }
                 });
     PairCounts sum(pairs.range, width);

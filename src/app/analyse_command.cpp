@@ -25,12 +25,13 @@ constexpr const char* kAnalyseExamples = R"(Examples:
   frostfill analyse output/torus                      tables in output/torus/analysis
   frostfill analyse packing.csv --mesh part.stl --up z --figures
   frostfill analyse dump.lammpstrj --mesh tube.stl --only porosity,pairs --json
+  frostfill analyse dump.lammpstrj --box 10,10,10 --periodic      without a mesh
 )";
 
 struct AnalyseArguments
 {
     std::string file;
-    std::string mesh;
+    PackingPlace place;
     PackingArguments packing;
     AnalysisSettings settings;
     std::vector<double> centre;
@@ -109,8 +110,11 @@ void printTable(const PackingAnalysis& analysis)
                                          analysis.outside, analysis.notFinite));
     }
     printRow("volume of the spheres",
-             fmt::format("{:.6g}, {:.2f} % of the mesh", analysis.sphereVolume,
-                         100 * analysis.sphereVolume / analysis.meshVolume));
+             analysis.settings.bounds == AnalysisBounds::none
+                 ? fmt::format("{:.6g}", analysis.sphereVolume)
+                 : fmt::format("{:.6g}, {:.2f} % of the {}", analysis.sphereVolume,
+                               100 * analysis.sphereVolume / analysis.meshVolume,
+                               analysis.settings.bounds == AnalysisBounds::walls ? "mesh" : "box"));
     if (analysis.porosity)
     {
         printPorosity(analysis);
@@ -126,6 +130,12 @@ void printTable(const PackingAnalysis& analysis)
         printRow("  away from walls and surface", textOf(analysis.contacts->meanInside));
         printRow("  without rattlers", fmt::format("{:.4f}; {} rattle", analysis.contacts->meanHeld,
                                                    analysis.contacts->rattlers));
+        if (analysis.settings.forces)
+        {
+            printRow("  forces under this friction",
+                     fmt::format("{:g}; at most {:.3g} of its weight is missing on a sphere",
+                                 *analysis.settings.forces, analysis.contacts->unbalance));
+        }
     }
     if (analysis.cells)
     {
@@ -164,8 +174,9 @@ int analyse(const AnalyseArguments& arguments)
     {
         requireGnuplot();
     }
-    const PackingAnalysis analysis = analysePacking(
-        meshOf(packing, arguments.file, arguments.mesh, scene.object.load), packing, settings);
+    const PackingWalls walls = wallsOf(packing, arguments.place, scene.object.load);
+    settings.bounds = walls.bounds;
+    const PackingAnalysis analysis = analysePacking(walls.mesh, packing, settings);
     const std::vector<std::string> names = writeAnalysis(analysis, folder);
     if (arguments.figures)
     {
@@ -180,7 +191,7 @@ int analyse(const AnalyseArguments& arguments)
         printTable(analysis);
         fmt::print("tables in {}\n", folder.string());
     }
-    if (settings.only.empty() && !analysis.cells && !arguments.quiet)
+    if (settings.only.empty() && !hasVoronoiCells() && !arguments.quiet)
     {
         say(fmt::format("left out: {}\n", missingVoronoiCells()));
     }
@@ -213,6 +224,10 @@ void addSettings(CLI::App& command, AnalyseArguments& arguments)
                     "Height above the foot of the mesh at which the bed ends (at its topmost "
                     "spheres)")
         ->type_name("HEIGHT");
+    command
+        .add_option("--forces", settings.forces,
+                    "Also find the forces in contacts, under this friction")
+        ->type_name("FRICTION");
     add("--bins", settings.bins, "Bins of a profile along or about the axis");
     add("--range", settings.range,
         "How far g(r) and the profile from the wall go, in mean diameters");
@@ -236,7 +251,7 @@ Command addAnalyseCommand(CLI::App& program)
         "sizes");
     command->footer(std::string(kAnalyseExamples) + kPackingFiles);
     command->add_option("FILE", arguments->file, "The packing")->required();
-    addPackingMeshOption(*command, arguments->mesh);
+    addPackingMeshOption(*command, arguments->place);
     addSceneOptions(*command, arguments->given);
     addPackingOptions(*command, arguments->packing);
     addSettings(*command, *arguments);

@@ -36,7 +36,7 @@ constexpr const char* kCheckExamples = R"(Examples:
 struct CheckArguments
 {
     std::string file;
-    std::string mesh;
+    PackingPlace place;
     PackingArguments packing;
     std::optional<double> mostOverlap, mostWallOverlap;
     std::optional<std::size_t> mostOutside, mostUnsupported, mostUnbalanced;
@@ -84,7 +84,7 @@ void printEquilibrium(const EquilibriumReport& joint)
             : fmt::format("none up to {:g}", JudgeSettings::kMostFriction));
 }
 
-void printTable(const Packing& packing, const QualityReport& quality)
+void printTable(const Packing& packing, const QualityReport& quality, bool hasWalls)
 {
     const auto [smallest, largest] =
         std::minmax_element(packing.radii.begin(), packing.radii.end());
@@ -92,6 +92,10 @@ void printTable(const Packing& packing, const QualityReport& quality)
     row("radii", *smallest == *largest ? fmt::format("{:.6g}", *largest)
                                        : fmt::format("{:.6g} to {:.6g}", *smallest, *largest));
     row("largest overlap", fmt::format("{:.4g} of the smaller radius", quality.maxOverlap));
+    if (!hasWalls)
+    {
+        return;
+    }
     row("mean overlap of contacts",
         fmt::format("{:.4g} of the smaller radius", quality.meanOverlap));
     row("largest overlap with a wall", fmt::format("{:.4g} of the radius", quality.maxWallOverlap));
@@ -108,7 +112,7 @@ void printTable(const Packing& packing, const QualityReport& quality)
                                              100 * quality.sphereVolume / quality.meshVolume));
 }
 
-void printJson(const Packing& packing, const QualityReport& quality,
+void printJson(const Packing& packing, const QualityReport& quality, bool hasWalls,
                const std::vector<std::string>& faults)
 {
     const auto [smallest, largest] =
@@ -119,7 +123,14 @@ void printJson(const Packing& packing, const QualityReport& quality,
         {"at_rest", std::count(packing.atRest.begin(), packing.atRest.end(), true)},
         {"smallest_radius", *smallest},
         {"largest_radius", *largest}};
-    json.update(qualityJson(quality));
+    if (hasWalls)
+    {
+        json.update(qualityJson(quality));
+    }
+    else
+    {
+        json["max_overlap_over_radius"] = quality.maxOverlap;
+    }
     json["exceeded"] = faults;
     fmt::print("{}\n", json.dump(2));
 }
@@ -138,16 +149,25 @@ int check(const CheckArguments& arguments)
                     "--max-unbalanced and judge.unbalance need a friction under which "
                     "spheres are balanced: give --set judge.friction=...");
     }
-    const TriangleMesh mesh = meshOf(packing, arguments.file, arguments.mesh, scene.object.load);
-    const QualityReport quality = judgePacking(mesh, packing, scene.object.up, scene.judge);
+    const auto [mesh, bounds] = wallsOf(packing, arguments.place, scene.object.load);
+    const bool hasWalls = bounds == AnalysisBounds::walls;
+    if (!hasWalls && (arguments.mostWallOverlap || arguments.mostOutside ||
+                      arguments.mostUnsupported || scene.judge.friction))
+    {
+        throw Error(ErrorCode::usage, "without walls only overlaps of spheres are judged: give a "
+                                      "--mesh, or a --box that is not --periodic");
+    }
+    const Packing all = bounds == AnalysisBounds::periodic ? withImages(packing, mesh) : packing;
+    const QualityReport quality =
+        judgePacking(hasWalls ? mesh : boxAround(all), all, scene.object.up, scene.judge);
     const std::vector<std::string> faults = exceeded(arguments, quality);
     if (arguments.json)
     {
-        printJson(packing, quality, faults);
+        printJson(packing, quality, hasWalls, faults);
     }
     else
     {
-        printTable(packing, quality);
+        printTable(packing, quality, hasWalls);
     }
     if (!faults.empty())
     {
@@ -167,7 +187,7 @@ Command addCheckCommand(CLI::App& program)
         "Judge a packing from any program: overlaps, walls, centres outside, support, balance");
     command->footer(std::string(kCheckExamples) + kPackingFiles);
     command->add_option("FILE", arguments->file, "The packing")->required();
-    addPackingMeshOption(*command, arguments->mesh);
+    addPackingMeshOption(*command, arguments->place);
     addPackingOptions(*command, arguments->packing);
     addSceneOptions(*command, arguments->given);
     const auto limit = [&](const char* flag, auto& value, const char* help, const char* type)

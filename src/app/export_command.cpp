@@ -159,7 +159,7 @@ void addGeometryOptions(CLI::App& command, ExportArguments& arguments)
         .add_option(
             "--contacts", arguments.contacts,
             "Geometry: where spheres touch: none, shrink:FACTOR, and for stl-bed and openfoam "
-            "caps:GAP, bridges:RADIUS,GAP, in radii (shrink:0.99)")
+            "caps:GAP, in radii (shrink:0.99)")
         ->type_name("HOW");
     command
         .add_option(

@@ -157,8 +157,8 @@ Command addFillCommand(CLI::App& program)
         "fill", "Fill a mesh with spheres; write frames, tables and a summary");
     command->footer(kFillExamples);
     command->add_option("MESH", arguments->mesh,
-                        "torus, sphere, cube, human, a mesh file, or a scene (FILE.toml, "
-                        "summary.json)");
+                        "torus, sphere, cube, human, a container such as cylinder:1,4, a mesh "
+                        "file, or a scene: FILE.toml or the summary.json of a run");
     addSceneOptions(*command, arguments->given);
     const auto add = [&](const char* name, auto& value, const char* help, const char* type)
     { command->add_option(name, value, help)->type_name(type)->group("Output"); };

@@ -49,7 +49,7 @@ Scene requestedScene(const FillArguments& arguments)
     }
     if (byKey == given.end() && arguments.mesh.empty())
     {
-        throw Error(ErrorCode::usage, "give a MESH (torus, sphere, cube, human or a file), a scene "
+        throw Error(ErrorCode::usage, "give a MESH (torus, cylinder:1,4 or a file), a scene "
                                       "(FILE.toml) or a --resume; see frostfill fill --help");
     }
     const std::string mesh = byKey != given.end() ? byKey->second.text : arguments.mesh;

@@ -147,7 +147,10 @@ void printResult(const Scene& scene, const FillResult& result)
     fmt::print("{}", setTableText(result));
     if (result.stopped)
     {
-        fmt::print("stopped early, with {} of {} spheres\n", result.spheres, result.wanted);
+        // How many fill an object is known roughly, and may be less than are there.
+        const bool isCounted = scene.spheres.count && !scene.spheres.untilFull;
+        fmt::print("stopped early, with {} {}spheres\n", result.spheres,
+                   isCounted ? fmt::format("of {} ", *scene.spheres.count) : "");
     }
     else if (result.radiusThatFits)
     {

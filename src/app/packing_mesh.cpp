@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace frostfill
@@ -32,34 +33,121 @@ void addPackingOptions(CLI::App& command, PackingArguments& arguments)
         ->type_name("COLUMNS");
 }
 
-void addPackingMeshOption(CLI::App& command, std::string& mesh)
+void addPackingMeshOption(CLI::App& command, PackingPlace& place)
 {
     command
-        .add_option("--mesh", mesh,
-                    "The mesh it is in: a file, or torus, sphere, cube, human (that of the run)")
+        .add_option("--mesh", place.mesh,
+                    "The mesh it is in: a file, or a built-in object such as cylinder:1,4 (that of "
+                    "the run; else none)")
         ->type_name("MESH");
+    auto* box = command
+                    .add_option("--box", place.box,
+                                "The box it is in, without a mesh: X,Y,Z from 0 on, or X,Y,Z of "
+                                "the lowest corner and of the highest")
+                    ->delimiter(',')
+                    ->type_name("X,Y,Z[,X,Y,Z]")
+                    ->excludes("--mesh");
+    command.add_flag("--periodic", place.repeats, "The box repeats in all directions")->needs(box);
 }
 
-TriangleMesh meshOf(const Packing& packing, const std::string& file, const std::string& mesh,
-                    const LoadMeshOptions& load)
+namespace
 {
-    if (!mesh.empty())
+
+TriangleMesh meshOf(const Eigen::AlignedBox3d& box)
+{
+    const Eigen::Vector3d size = box.sizes();
+    TriangleMesh mesh = builtInMesh(fmt::format("box:{},{},{}", size.x(), size.y(), size.z()));
+    const Eigen::Vector3d low = boundingBox(mesh).min();
+    for (Eigen::Vector3d& vertex : mesh.vertices)
     {
-        LoadedMesh loaded = loadMesh(mesh, load);
+        vertex += box.min() - low;
+    }
+    return mesh;
+}
+
+Eigen::AlignedBox3d boxOf(const std::vector<double>& given)
+{
+    Eigen::AlignedBox3d box(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+    const std::size_t low = given.size() - 3;
+    for (std::size_t axis = 0; axis < 3 && given.size() % 3 == 0 && given.size() <= 6; ++axis)
+    {
+        box.min()[axis] = low > 0 ? given[axis] : 0;
+        box.max()[axis] = given[low + axis];
+    }
+    if (!(box.sizes().minCoeff() > 0))
+    {
+        throw Error(ErrorCode::usage,
+                    "--box needs three lengths above 0, or six coordinates: those "
+                    "of its lowest corner, then of its highest");
+    }
+    return box;
+}
+
+} // namespace
+
+PackingWalls wallsOf(const Packing& packing, const PackingPlace& place, const LoadMeshOptions& load)
+{
+    if (!place.mesh.empty())
+    {
+        LoadedMesh loaded = loadMesh(place.mesh, load);
         for (const std::string& repair : loaded.repairs)
         {
             say(fmt::format("repaired: {}\n", repair));
         }
-        return std::move(loaded.mesh);
+        return {std::move(loaded.mesh)};
     }
-    if (!packing.mesh)
+    if (!place.box.empty())
     {
-        throw Error(ErrorCode::usage,
-                    fmt::format("'{}' has spheres and no mesh: give the one they are in with "
-                                "--mesh",
-                                file));
+        return {meshOf(boxOf(place.box)),
+                place.repeats ? AnalysisBounds::periodic : AnalysisBounds::walls};
     }
-    return *packing.mesh;
+    if (packing.mesh)
+    {
+        return {*packing.mesh};
+    }
+    say("no mesh is given, and no --box: what needs walls is left out\n");
+    return {boxAround(packing), AnalysisBounds::none};
+}
+
+TriangleMesh boxAround(const Packing& packing)
+{
+    Eigen::AlignedBox3d around;
+    for (std::size_t k = 0; k < packing.centres.size(); ++k)
+    {
+        if (packing.centres[k].allFinite())
+        {
+            around.extend(Eigen::Vector3d(packing.centres[k].array() - packing.radii[k]));
+            around.extend(Eigen::Vector3d(packing.centres[k].array() + packing.radii[k]));
+        }
+    }
+    return meshOf(around);
+}
+
+Packing withImages(const Packing& packing, const TriangleMesh& box)
+{
+    const Eigen::AlignedBox3d bounds = boundingBox(box);
+    const double reach = 2 * *std::max_element(packing.radii.begin(), packing.radii.end());
+    Packing all = packing;
+    for (Eigen::Vector3d& centre : all.centres)
+    {
+        const Eigen::Array3d share = (centre - bounds.min()).array() / bounds.sizes().array();
+        centre -= (share.floor() * bounds.sizes().array()).matrix();
+    }
+    for (int image = 0; image < 27; ++image)
+    {
+        const Eigen::Vector3d step(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
+        for (std::size_t k = 0; k < packing.centres.size() && !step.isZero(); ++k)
+        {
+            const Eigen::Vector3d centre = all.centres[k] + step.cwiseProduct(bounds.sizes());
+            if (bounds.exteriorDistance(centre) <= reach)
+            {
+                all.centres.push_back(centre);
+                all.radii.push_back(packing.radii[k]);
+                all.atRest.push_back(packing.atRest[k]);
+            }
+        }
+    }
+    return all;
 }
 
 } // namespace frostfill

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <frostfill/packing.hpp>
+#include <frostfill/analysis.hpp>
 
 #include <CLI/App.hpp>
 
 #include <string>
+#include <vector>
 
 namespace frostfill
 {
@@ -28,11 +29,26 @@ struct PackingArguments
 };
 void addPackingOptions(CLI::App& command, PackingArguments& arguments);
 
-void addPackingMeshOption(CLI::App& command, std::string& mesh);
+/// What a packing is in.
+struct PackingPlace
+{
+    std::string mesh;
+    std::vector<double> box; ///< its size, from 0 on, or its lowest and its highest corner
+    bool repeats = false;
+};
+void addPackingMeshOption(CLI::App& command, PackingPlace& place);
 
-/// The mesh that is named, whose repairs are said, or else the one that came with the packing of
-/// `file`. Throws Error usage where there is none.
-[[nodiscard]] TriangleMesh meshOf(const Packing& packing, const std::string& file,
-                                  const std::string& mesh, const LoadMeshOptions& load);
+struct PackingWalls
+{
+    TriangleMesh mesh;
+    AnalysisBounds bounds = AnalysisBounds::walls;
+};
+/// The mesh that is named, whose repairs are said, or the box, or else the mesh that came with the
+/// packing. Where there is none, a box around all spheres. Throws Error usage for no box.
+[[nodiscard]] PackingWalls wallsOf(const Packing& packing, const PackingPlace& place,
+                                   const LoadMeshOptions& load);
+[[nodiscard]] TriangleMesh boxAround(const Packing& packing);
+/// With the images of spheres that may touch some in the box that repeats.
+[[nodiscard]] Packing withImages(const Packing& packing, const TriangleMesh& box);
 
 } // namespace frostfill

@@ -74,51 +74,38 @@ std::vector<BedPatch> findPatches(const TriangleMesh& mesh, const Eigen::Vector3
 void parseContacts(const std::string& text, BedSettings& result)
 {
     BedSettings settings = result; // which stays as it is if the text is refused
-    const std::size_t colon = text.find(':');
+    const std::size_t colon = std::min(text.find(':'), text.size());
     const std::string name = text.substr(0, colon);
-    const bool hasValues = colon != std::string::npos;
-    const std::vector<double> values =
-        hasValues
-            ? readNumbers(std::string_view(text).substr(colon + 1)).value_or(std::vector<double>())
-            : std::vector<double>();
-    const auto mayHave = [&](std::size_t most)
+    double* value = nullptr;
+    if (name == "shrink")
     {
-        if (hasValues && (values.empty() || values.size() > most))
-        {
-            refuse(fmt::format("'{}' is no treatment of contacts; write none, shrink:FACTOR, "
-                               "caps:GAP or bridges:RADIUS,GAP",
-                               text));
-        }
-    };
-    if (name == "none")
-    {
-        mayHave(0);
-        settings.contacts = ContactTreatment::none;
-    }
-    else if (name == "shrink")
-    {
-        mayHave(1);
         settings.contacts = ContactTreatment::shrink;
-        settings.factor = hasValues ? values[0] : settings.factor;
+        value = &settings.factor;
     }
     else if (name == "caps")
     {
-        mayHave(1);
         settings.contacts = ContactTreatment::caps;
-        settings.gap = hasValues ? values[0] : settings.gap;
+        value = &settings.gap;
     }
-    else if (name == "bridges")
+    else if (name == "none")
     {
-        mayHave(2);
-        settings.contacts = ContactTreatment::bridges;
-        settings.bridge = hasValues ? values[0] : settings.bridge;
-        settings.gap = values.size() > 1 ? values[1] : settings.gap;
+        settings.contacts = ContactTreatment::none;
     }
     else
     {
-        refuse(fmt::format("there is no treatment of contacts '{}'; there are none, shrink, caps, "
-                           "bridges",
+        refuse(fmt::format("there is no treatment of contacts '{}'; there are none, shrink, caps",
                            name));
+    }
+    if (colon < text.size())
+    {
+        const auto number = readNumber<double>(std::string_view(text).substr(colon + 1));
+        if (!value || !number)
+        {
+            refuse(fmt::format("'{}' is no treatment of contacts; write none, shrink:FACTOR or "
+                               "caps:GAP",
+                               text));
+        }
+        *value = *number;
     }
     checkBedSettings(settings);
     result = settings;
@@ -133,11 +120,7 @@ void checkBedSettings(const BedSettings& settings)
     }
     if (!(settings.gap >= 1e-4 && settings.gap <= 0.2))
     {
-        refuse("the gap of caps and bridges must be from 0.0001 to 0.2 radii");
-    }
-    if (!(settings.bridge >= 0.01 && settings.bridge <= 0.5))
-    {
-        refuse("the radius of bridges must be from 0.01 to 0.5 radii");
+        refuse("the gap of caps must be from 0.0001 to 0.2 radii");
     }
     if (settings.resolution < 1 || settings.resolution > 100)
     {

@@ -28,7 +28,7 @@ enum class BedPatch : std::uint8_t
     inlet,  ///< the flat foot of the container, if it has one
     outlet, ///< its flat top
     wall,
-    spheres, ///< with bridges
+    spheres,
 };
 inline constexpr std::array<const char*, 4> kBedPatches = {"inlet", "outlet", "wall", "spheres"};
 

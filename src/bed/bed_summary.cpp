@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "bed/bed_summary.hpp"
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 namespace frostfill
 {
 
 nlohmann::ordered_json bedSummary(const Bed& bed)
 {
-    constexpr std::array<const char*, 4> kNames = {"none", "shrink", "caps", "bridges"};
+    constexpr std::array<const char*, 3> kNames = {"none", "shrink", "caps"};
     const BedSettings& settings = bed.settings();
     nlohmann::ordered_json treatment = {
         {"name", kNames[static_cast<std::size_t>(settings.contacts)]}};
@@ -19,10 +19,6 @@ nlohmann::ordered_json bedSummary(const Bed& bed)
     else if (settings.contacts != ContactTreatment::none)
     {
         treatment["gap"] = settings.gap;
-    }
-    if (settings.contacts == ContactTreatment::bridges)
-    {
-        treatment["radius"] = settings.bridge;
     }
     const Eigen::AlignedBox3d& box = bed.surface().box();
     const auto point = [](const Eigen::Vector3d& p) {
@@ -42,10 +38,7 @@ nlohmann::ordered_json surfaceSummary(const BedSurface& surface)
     nlohmann::ordered_json summary = bedSummary(surface.bed());
     summary["porosity_of_surface"] = surface.porosity();
     summary["free_volume"] = surface.freeVolume();
-    summary["near_places"] = surface.links().links.size();
-    summary["bridges"] = surface.links().bridged;
-    summary["bridges_thinner_than_asked"] = surface.links().thinned;
-    summary["flattened"] = surface.links().flattened;
+    summary["flattened"] = surface.links().links.size();
     summary["triangles"] = surface.triangles();
     for (std::size_t patch = 0; patch < kBedPatches.size(); ++patch)
     {

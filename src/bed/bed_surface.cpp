@@ -2,7 +2,6 @@
 #include "bed/bed_surface.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace frostfill
 {
@@ -55,28 +54,27 @@ std::size_t BedSurface::triangles() const
     return all;
 }
 
-void BedSurface::addSphere(std::uint32_t sphere, SphereShape& shape,
-                           std::vector<StlTriangle>& triangles) const
+// Wound into the sphere, all vertices within it. What walls and other spheres cut off is taken away
+// by moving vertices towards the centre. That cannot make the surface cross itself, which every ray
+// from the centre meets once.
+void BedSurface::addSphere(std::uint32_t sphere, std::vector<StlTriangle>& triangles) const
 {
-    shape.add(sphere, triangles);
-    for (const std::uint32_t number : links_.ofSphere[sphere])
+    const auto place = [&](std::uint32_t vertex)
     {
-        const BedLink& link = links_.links[number];
-        if (link.first != sphere || link.bridge == 0)
+        const Eigen::Vector3d& point = geodesic_.vertices[vertex];
+        double factor = 1;
+        for (const std::uint32_t number : links_.ofSphere[sphere])
         {
-            continue;
+            const BedLink& link = links_.links[number];
+            const double along = (link.first == sphere ? 1 : -1) * point.dot(link.direction);
+            const double cut = cutOf(bed_, link, sphere);
+            factor = along > cut ? std::min(factor, cut / along) : factor;
         }
-        const std::uint32_t corners = cornersOf(bed_, link);
-        for (std::uint32_t k = 0; k < corners; ++k)
-        {
-            const std::uint32_t next = (k + 1) % corners;
-            const Eigen::Vector3f a = cornerInWorld(bed_, link, link.first, k, corners);
-            const Eigen::Vector3f b = cornerInWorld(bed_, link, link.first, next, corners);
-            const Eigen::Vector3f c = cornerInWorld(bed_, link, link.second, next, corners);
-            const Eigen::Vector3f d = cornerInWorld(bed_, link, link.second, k, corners);
-            triangles.push_back({a, c, b});
-            triangles.push_back({a, d, c});
-        }
+        return inSinglePrecision(bed_.centre(sphere) + bed_.treatedRadius(sphere) * factor * point);
+    };
+    for (const auto& triangle : geodesic_.triangles)
+    {
+        triangles.push_back({place(triangle[0]), place(triangle[2]), place(triangle[1])});
     }
 }
 
@@ -92,19 +90,18 @@ void BedSurface::forEachPart(BedPatch patch, const Sink& sink) const
     for (std::size_t begin = 0; begin < parts; begin += kPartsAtOnce)
     {
         const std::size_t count = std::min(kPartsAtOnce, parts - begin);
-        bed_.threads().forEachLarge(
-            count,
-            [&](std::size_t k)
-            {
-                made[k].clear();
-                SphereShape shape(bed_, links_, geodesic_);
-                const std::size_t first = (begin + k) * kSpheresInPart;
-                const std::size_t end = std::min(bed_.size(), first + kSpheresInPart);
-                for (std::size_t sphere = first; sphere < end; ++sphere)
-                {
-                    addSphere(static_cast<std::uint32_t>(sphere), shape, made[k]);
-                }
-            });
+        bed_.threads().forEachLarge(count,
+                                    [&](std::size_t k)
+                                    {
+                                        made[k].clear();
+                                        const std::size_t first = (begin + k) * kSpheresInPart;
+                                        const std::size_t end =
+                                            std::min(bed_.size(), first + kSpheresInPart);
+                                        for (std::size_t sphere = first; sphere < end; ++sphere)
+                                        {
+                                            addSphere(static_cast<std::uint32_t>(sphere), made[k]);
+                                        }
+                                    });
         for (std::size_t k = 0; k < count; ++k)
         {
             sink(made[k]);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "bed/links.hpp"
-#include "bed/sphere_shape.hpp"
 #include "mesh/geodesic_sphere.hpp"
 
 #include <cstddef>
@@ -12,6 +11,8 @@
 
 namespace frostfill
 {
+
+using StlTriangle = std::array<Eigen::Vector3f, 3>;
 
 /// The boundary of what spheres leave free in their container, closed, in single precision. Normals
 /// point out of the free space.
@@ -41,8 +42,7 @@ public:
     [[nodiscard]] double porosity() const { return freeVolume_ / bed_.containerVolume(); }
 
 private:
-    void addSphere(std::uint32_t sphere, SphereShape& shape,
-                   std::vector<StlTriangle>& triangles) const;
+    void addSphere(std::uint32_t sphere, std::vector<StlTriangle>& triangles) const;
 
     const Bed& bed_;
     TriangleMesh geodesic_;

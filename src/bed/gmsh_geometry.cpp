@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "bed/bed_files.hpp"
 #include "bed/bed_summary.hpp"
 #include "bed/links.hpp"
-#include "output/atomic_file.hpp"
 
 #include <frostfill/error.hpp>
 

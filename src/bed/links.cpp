@@ -13,15 +13,6 @@ namespace frostfill
 namespace
 {
 
-/// Share of the distance from a contact to what else is near that a bridge may be thick. Two that
-/// have no sphere in common are apart if it is below 1/2, and what it leaves is for the mesher.
-constexpr double kRoom = 0.4;
-/// Share of the angle between two links of a sphere that each bridge may have.
-constexpr double kAngleRoom = 0.45;
-/// Share of the angle between two links that both may take.
-constexpr double kBeside = 0.95;
-/// Share of the radius that was asked for, below which there is no bridge.
-constexpr double kThinnest = 0.25;
 /// [radius] from the centre, below which nothing is flattened: spheres that overlap so far are
 /// broken.
 constexpr double kDeepestCut = 0.3;
@@ -32,11 +23,6 @@ constexpr std::size_t kInPart = 256;
 double angleBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
     return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
-bool isTreated(ContactTreatment contacts)
-{
-    return contacts == ContactTreatment::caps || contacts == ContactTreatment::bridges;
 }
 
 [[noreturn]] void refuseSphere(std::size_t k, const Eigen::Vector3d& centre, const char* what)
@@ -59,10 +45,9 @@ void findWalls(const Bed& bed, std::uint32_t k, std::vector<BedLink>& links)
     if (bed.settings().contacts == ContactTreatment::shrink && wall.value <= radius)
     {
         refuseSphere(k, centre,
-                     "passes through the wall even when shrunk; shrink more, or use "
-                     "caps or bridges");
+                     "passes through the wall even when shrunk; shrink more, or use caps");
     }
-    if (!isTreated(bed.settings().contacts) || wall.value >= reach)
+    if (bed.settings().contacts != ContactTreatment::caps || wall.value >= reach)
     {
         return;
     }
@@ -100,7 +85,7 @@ void findPairs(const Bed& bed, std::uint32_t k, std::vector<BedLink>& links)
 {
     const Eigen::Vector3d& centre = bed.centre(k);
     const double radius = bed.treatedRadius(k);
-    const bool treated = isTreated(bed.settings().contacts);
+    const bool treated = bed.settings().contacts == ContactTreatment::caps;
     const auto look = [&](std::uint32_t id, const Eigen::Vector3d& other, double)
     {
         if (id <= k)
@@ -114,7 +99,7 @@ void findPairs(const Bed& bed, std::uint32_t k, std::vector<BedLink>& links)
         {
             refuseSphere(k, centre,
                          fmt::format("overlaps sphere {} by {:.3g} even when shrunk; shrink more, "
-                                     "or use caps or bridges",
+                                     "or use caps",
                                      id, -gap)
                              .c_str());
         }
@@ -136,60 +121,6 @@ void findPairs(const Bed& bed, std::uint32_t k, std::vector<BedLink>& links)
               [](const BedLink& a, const BedLink& b) { return a.second < b.second; });
 }
 
-/// The thickest bridge that others leave room for; 0 for none, as to a wall.
-double bridgeOf(const Bed& bed, const BedLinks& all, const BedLink& link)
-{
-    if (link.second == BedLink::kWall)
-    {
-        return 0;
-    }
-    const double first = bed.radius(link.first);
-    const double smaller = std::min(first, bed.radius(link.second));
-    const double asked = bed.settings().bridge * smaller;
-    const Eigen::Vector3d place = bed.centre(link.first) + (first + link.gap / 2) * link.direction;
-    double room = asked / kRoom;
-    bed.levels().forEachNear(
-        place, [&](double largest) { return largest + room; },
-        [&](std::uint32_t id, const Eigen::Vector3d& centre, double radius)
-        {
-            if (id != link.first && id != link.second)
-            {
-                room = std::min(room, (centre - place).norm() - radius);
-            }
-        });
-    room = std::min(room, std::sqrt(nearestWall(bed.surface(), place, room, 0).square));
-    double bridge = std::min(asked, kRoom * room);
-    for (const std::uint32_t sphere : {link.first, link.second})
-    {
-        const Eigen::Vector3d own =
-            sphere == link.first ? link.direction : Eigen::Vector3d(-link.direction);
-        for (const std::uint32_t other : all.ofSphere[sphere])
-        {
-            if (&all.links[other] == &link)
-            {
-                continue;
-            }
-            const double angle = angleBetween(own, all.direction(other, sphere));
-            bridge = std::min(bridge, bed.radius(sphere) * std::sin(kAngleRoom * angle));
-        }
-    }
-    // Where two overlap, the circle in which they meet lies well within.
-    const double circle = link.gap < 0 ? std::sqrt(-2 * link.gap * smaller) : 0;
-    return bridge >= kThinnest * asked && bridge > 2 * circle ? bridge : 0;
-}
-
-/// Whether a bridge of a sphere and another link leave each other room.
-bool leaveRoom(const Bed& bed, const BedLinks& all, std::uint32_t sphere, std::uint32_t bridge,
-               std::uint32_t other)
-{
-    const BedLink& its = all.links[other];
-    const double angle = angleBetween(all.direction(bridge, sphere), all.direction(other, sphere));
-    const double wide = std::asin(all.links[bridge].bridge / bed.radius(sphere));
-    const double theirs = its.bridge > 0 ? std::asin(its.bridge / bed.radius(sphere))
-                                         : std::acos(std::min(1.0, cutOf(bed, its, sphere)));
-    return wide + theirs < kBeside * angle;
-}
-
 } // namespace
 
 double cutOf(const Bed& bed, const BedLink& link, std::uint32_t sphere)
@@ -202,44 +133,6 @@ double cutOf(const Bed& bed, const BedLink& link, std::uint32_t sphere)
     const double smaller = std::min(bed.radius(link.first), bed.radius(link.second));
     return 1 - (bed.settings().gap * smaller - link.gap) / 2 / radius;
 }
-
-namespace
-{
-
-/// Turns bridges that others leave no room for into flattened places, until all have room.
-void dropWhatDoesNotFit(const Bed& bed, BedLinks& all)
-{
-    for (bool changed = true; changed;)
-    {
-        changed = false;
-        for (std::uint32_t sphere = 0; sphere < bed.size(); ++sphere)
-        {
-            for (const std::uint32_t link : all.ofSphere[sphere])
-            {
-                for (const std::uint32_t other : all.ofSphere[sphere])
-                {
-                    if (other != link && all.links[link].bridge > 0 &&
-                        !leaveRoom(bed, all, sphere, link, other))
-                    {
-                        all.links[link].bridge = 0;
-                        changed = true;
-                    }
-                }
-            }
-        }
-    }
-    for (const BedLink& link : all.links)
-    {
-        const double smaller = link.second == BedLink::kWall
-                                   ? bed.radius(link.first)
-                                   : std::min(bed.radius(link.first), bed.radius(link.second));
-        ++(link.bridge > 0 ? all.bridged : all.flattened);
-        all.thinned +=
-            link.bridge > 0 && link.bridge < bed.settings().bridge * smaller * (1 - 1e-9) ? 1 : 0;
-    }
-}
-
-} // namespace
 
 BedLinks findLinks(const Bed& bed)
 {
@@ -276,23 +169,6 @@ BedLinks findLinks(const Bed& bed)
             }
         }
     }
-    if (bed.settings().contacts == ContactTreatment::bridges)
-    {
-        std::vector<double> bridges(all.links.size());
-        forEachPart(bed.threads(), all.links.size(), kInPart,
-                    [&](std::size_t first, std::size_t end, std::size_t)
-                    {
-                        for (std::size_t k = first; k < end; ++k)
-                        {
-                            bridges[k] = bridgeOf(bed, all, all.links[k]);
-                        }
-                    });
-        for (std::size_t k = 0; k < bridges.size(); ++k)
-        {
-            all.links[k].bridge = bridges[k];
-        }
-    }
-    dropWhatDoesNotFit(bed, all);
     return all;
 }
 

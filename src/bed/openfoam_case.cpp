@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "bed/bed_files.hpp"
 #include "bed/bed_summary.hpp"
 #include "bed/stl_file.hpp"
 #include "mesh/interior/inside_test.hpp"
-#include "output/atomic_file.hpp"
 
 #include <frostfill/error.hpp>
 

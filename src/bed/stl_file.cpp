@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bed/stl_file.hpp"
 
+#include "base/atomic_file.hpp"
 #include "bed/bed_files.hpp"
 #include "bed/bed_summary.hpp"
-#include "output/atomic_file.hpp"
 #include "output/stl_text.hpp"
 #include "run_file/bytes.hpp"
 

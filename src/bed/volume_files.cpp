@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "bed/bed_files.hpp"
 #include "bed/bed_summary.hpp"
 #include "bed/distance_field.hpp"
-#include "output/atomic_file.hpp"
 #include "output/npy_header.hpp"
 #include "run_file/bytes.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bed/bed_files.hpp"
+#include "bed/head_space.hpp"
 #include "export/exporter.hpp"
 
 #include <frostfill/error.hpp>
@@ -52,6 +53,10 @@ public:
         }
         Eigen::Vector3d up = Eigen::Vector3d::Unit(run_.up);
         up = frame.moved ? Eigen::Vector3d(frame.state.pose.rotation * up) : up;
+        if (format_ == ExportFormat::openFoam || format_ == ExportFormat::gmshBed)
+        {
+            mesh = withoutHeadSpace(std::move(mesh), up, centres, radii);
+        }
         const Bed bed(mesh, std::move(centres), std::move(radii), up, run_.bed, unitsPerMetre);
         switch (format_)
         {

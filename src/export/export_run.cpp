@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/measured_columns.hpp"
+#include "base/atomic_file.hpp"
 #include "export/exporter.hpp"
-#include "output/atomic_file.hpp"
 #include "output/scene_json.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
@@ -110,8 +110,8 @@ void checkOptions(const ExportRequest& request, const ExportFormatInfo& format)
         (isApart || contacts != ContactTreatment::none))
     {
         throw Error(ErrorCode::usage,
-                    fmt::format("{} has whole spheres: give --contacts shrink:FACTOR{}; caps and "
-                                "bridges are in stl-bed and openfoam",
+                    fmt::format("{} has whole spheres: give --contacts shrink:FACTOR{}; caps are "
+                                "in stl-bed and openfoam",
                                 format.name, isApart ? "" : " or none"));
     }
 }

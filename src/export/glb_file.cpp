@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "export/glb_file.hpp"
 
+#include "base/atomic_file.hpp"
 #include "mesh/geodesic_sphere.hpp"
-#include "output/atomic_file.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/view.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 #include <cstddef>
 #include <cstdint>

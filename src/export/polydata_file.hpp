@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "run_file/bytes.hpp"
 
 #include <fmt/format.h>

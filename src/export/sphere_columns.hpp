@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/atomic_file.hpp"
 #include "export/exporter.hpp"
-#include "output/atomic_file.hpp"
 #include "output/column_text.hpp"
 #include "run_file/bytes.hpp"
 

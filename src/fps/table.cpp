@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fps/table.hpp"
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "output/column_text.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Writes PNG: stb_image_write builds the file, and libdeflate compresses it (six times faster).
+#include "base/atomic_file.hpp"
 #include "image/deflate.hpp"
 #include "image/png_bands.hpp"
-#include "image/save_bytes.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/image.hpp>

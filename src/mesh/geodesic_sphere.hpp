@@ -12,10 +12,4 @@ namespace frostfill
 /// triangles, counter-clockwise seen from outside, with all vertices on the sphere.
 [[nodiscard]] TriangleMesh geodesicSphere(std::size_t parts);
 
-/// Of the same, between neighbours, at most [radius].
-[[nodiscard]] inline double geodesicEdge(std::size_t parts)
-{
-    return 1.2 / static_cast<double>(parts);
-}
-
 } // namespace frostfill

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "base/threads.hpp"
-#include "output/atomic_file.hpp"
 #include "output/column_text.hpp"
 
 #include <frostfill/output.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "image/png_bands.hpp"
-#include "image/save_bytes.hpp"
-#include "output/atomic_file.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/output.hpp>

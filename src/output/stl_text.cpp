@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/stl_text.hpp"
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 namespace frostfill
 {

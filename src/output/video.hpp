@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Room: files that a run writes: frames, video, CSV, JSON.
 #pragma once
 
 #include "output/video_log.hpp"

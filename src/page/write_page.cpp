@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "page/assemble.hpp"
 #include "page/facts.hpp"
 #include "page/shape_sections.hpp"

@@ -63,7 +63,32 @@ private:
     std::vector<std::pair<std::string, double>> phases_;
 };
 
-/// Options that the mesh may need: its cavity stays empty, or its opening does not point up.
+/// A mesh that is larger may have millimetres [unit].
+constexpr double kLargeInMetres = 50;
+/// [1] Of the box across the axis, that a foot has, and a mesh without one at most. Larger: statues
+/// on small feet have none. Smaller: facets of what is round are one.
+constexpr double kFoot = 0.1;
+constexpr double kNoFoot = 0.03;
+/// [1] Of the height, how near to its lowest place a foot is; and how level.
+constexpr double kAtFoot = 1e-3;
+constexpr double kLevel = 0.9999;
+
+/// Area on which a mesh would stand on a level floor if an axis pointed up, over that of its box.
+double footOf(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up)
+{
+    const double end = box.min()[up] + kAtFoot * box.sizes()[up];
+    double area = 0;
+    for (const auto& [i, j, k] : mesh.triangles)
+    {
+        const Eigen::Vector3d& a = mesh.vertices[i];
+        const Eigen::Vector3d normal = (mesh.vertices[j] - a).cross(mesh.vertices[k] - a);
+        area += a[up] < end && normal[up] < -kLevel * normal.norm() ? normal.norm() / 2 : 0;
+    }
+    return area / (box.sizes()[(up + 1) % 3] * box.sizes()[(up + 2) % 3]);
+}
+
+/// Options that the mesh may need: its cavity stays empty, its opening does not point up, it stands
+/// on nothing, or it is as large as a house.
 std::vector<std::string> hintsOn(const Scene& scene, const LoadedMesh& mesh)
 {
     std::vector<std::string> hints;
@@ -71,13 +96,34 @@ std::vector<std::string> hintsOn(const Scene& scene, const LoadedMesh& mesh)
     {
         hints.push_back(cavityHint(mesh.mesh, mesh.report));
     }
+    const int up = static_cast<int>(scene.object.up);
     int axis = 0;
     const double along = mesh.opening.maxCoeff(&axis);
-    if (axis != static_cast<int>(scene.object.up) && along > kPointsAlong * mesh.opening.norm())
+    if (axis != up && along > kPointsAlong * mesh.opening.norm())
     {
         hints.push_back(fmt::format("the largest opening faces {0}, and {1} is up; if the opening "
                                     "is the top, give --up {0}",
-                                    "xyz"[axis], "xyz"[static_cast<int>(scene.object.up)]));
+                                    "xyz"[axis], "xyz"[up]));
+    }
+    else if (footOf(mesh.mesh, mesh.report.box, up) < kNoFoot)
+    {
+        for (const int other : {2, 1, 0})
+        {
+            if (footOf(mesh.mesh, mesh.report.box, other) > kFoot)
+            {
+                hints.push_back(fmt::format("{0} is up, and the mesh has a flat foot where {1} is "
+                                            "least; if it stands on that, give --up {1}",
+                                            "xyz"[up], "xyz"[other]));
+                break;
+            }
+        }
+    }
+    if (const double size = mesh.report.box.sizes().maxCoeff();
+        scene.object.unitsPerMetre == 1 && size > kLargeInMetres)
+    {
+        hints.push_back(fmt::format("the mesh is {:.4g} m large; if its unit is the millimetre, "
+                                    "give --units mm",
+                                    size));
     }
     std::erase(hints, "");
     return hints;

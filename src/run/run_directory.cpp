@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/run_directory.hpp"
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "run_file/file_of_run.hpp"
 
 #include <frostfill/error.hpp>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "run/run_files.hpp"
 
+#include "base/atomic_file.hpp"
 #include "base/posix_file.hpp"
 #include "bulk/bulk.hpp"
-#include "output/atomic_file.hpp"
 #include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
 #include "run/machine_json.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/set_table.hpp"
 
+#include "base/atomic_file.hpp"
 #include "base/statistics.hpp"
-#include "output/atomic_file.hpp"
 
 #include <fmt/format.h>
 
@@ -127,27 +127,24 @@ std::vector<SetTiming> setTable(std::span<const SetRecord> sets, std::span<const
 
 std::string formatSetTable(std::span<const SetTiming> rows)
 {
-    if (rows.empty())
+    if (rows.empty() || rows.back().frames == 0)
     {
         return {};
     }
-    const bool drawn = rows.back().frames > 0;
-    std::string text = fmt::format(
-        "{:>9} {:>7} {:>6} {:>9} | {:^62} | {:^22}\n", "", "", "", drawn ? "frames/s" : "steps/s",
-        drawn ? "milliseconds per frame" : "milliseconds per step", "spheres at its end");
+    std::string text = fmt::format("{:>9} {:>7} {:>6} {:>9} | {:^62} | {:^22}\n", "", "", "",
+                                   "frames/s", "milliseconds per frame", "spheres at its end");
     text += fmt::format("{:>9} {:>7} {:>6} {:>9} | {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7} {:>7}"
                         "| {:>6} {:>7} {:>7}\n",
-                        "set", "spheres", drawn ? "frames" : "steps", "", "sph-sph", "sph-pol",
-                        "freeze", "discard", "other", "render", "read", "encode", "run", "frozen",
-                        "discard");
+                        "set", "spheres", "frames", "", "sph-sph", "sph-pol", "freeze", "discard",
+                        "other", "render", "read", "encode", "run", "frozen", "discard");
     for (const SetTiming& row : rows)
     {
         text += fmt::format("{:>9} {:>7} {:>6} {:>9.1f} | {:>7.3f} {:>7.3f} {:>7.3f} {:>7.3f} "
                             "{:>7.3f} {:>7.2f} {:>7.2f} {:>7.2f}| {:>6} {:>7} {:>7}\n",
-                            row.name, row.spheres, drawn ? row.frames : row.steps,
-                            row.framesPerSecond, row.sphereSphereMs, row.spherePolygonMs,
-                            row.freezingMs, row.discardingMs, row.otherMs, row.renderMs,
-                            row.readbackMs, row.encodeMs, row.running, row.frozen, row.discarded);
+                            row.name, row.spheres, row.frames, row.framesPerSecond,
+                            row.sphereSphereMs, row.spherePolygonMs, row.freezingMs,
+                            row.discardingMs, row.otherMs, row.renderMs, row.readbackMs,
+                            row.encodeMs, row.running, row.frozen, row.discarded);
     }
     return text;
 }

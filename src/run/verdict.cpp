@@ -48,26 +48,23 @@ std::string describe(const StraySphere& stray)
         stray.sphere, what, stray.centre.x(), stray.centre.y(), stray.centre.z(), stray.time, help);
 }
 
-/// What has not settled, with its value and its limit: those of simulation/settling.
+/// What has not settled, with its value and its limit.
 std::string unrestText(const QualityReport& quality)
 {
-    constexpr double kOverlap = 1e-8;
-    constexpr double kMissing = 0.1;
     const SettlingReport& settling = *quality.settling;
-    if (settling.overlap > kOverlap)
+    if (settling.overlap > SettlingReport::kOverlap)
     {
         return fmt::format("a sphere overlaps {} by {:.2g} of a radius, where {:g} is allowed",
                            quality.maxWallOverlap > quality.maxOverlap ? "a wall" : "another",
-                           settling.overlap, kOverlap);
+                           settling.overlap, SettlingReport::kOverlap);
     }
-    if (settling.missing > kMissing)
+    if (settling.missing > SettlingReport::kMissing)
     {
         return fmt::format("forces miss {:.2g} of a sphere's weight, where {:g} is allowed",
-                           settling.missing, kMissing);
+                           settling.missing, SettlingReport::kMissing);
     }
-    return fmt::format("forces miss up to {:.2g} of their weight on more than 1 in 200 spheres, "
-                       "where 0.02 is allowed",
-                       settling.missing);
+    return fmt::format("forces miss more than {:g} of the weight of {}, where {} may be so",
+                       SettlingReport::kMissingOnMost, spheres(settling.moving), settling.mayMove);
 }
 
 std::optional<std::string> findFaultOfFraction(const Scene& scene, const SettlingReport& settling)
@@ -92,8 +89,8 @@ std::optional<std::string> findFaultOfFraction(const Scene& scene, const Settlin
         missing > 0 ? "it flows no denser: ask for less"
         : scene.motion.mode != Motion::granular
             ? "it came in denser, and nothing loosens it: try --motion granular, or ask for more"
-            : fmt::format("no looser pile rests under friction {:g}: ask for more{}", rest.friction,
-                          rest.friction < 1 ? ", or try more --friction" : "");
+            : fmt::format("nothing loosens this pile: ask for more, or try another --seed{}",
+                          rest.friction < 1 ? " or more --friction" : "");
     return fmt::format("the bulk packs to {:.4f}, where {:g} is asked to within {:g}; {}",
                        *settling.fraction, *rest.fraction, kFaultyFraction, help);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "base/posix_file.hpp"
 #include "run_file/frame_codec.hpp"
 #include "run_file/records.hpp"
@@ -11,7 +12,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <utility>
 
 namespace frostfill
@@ -45,34 +45,6 @@ struct RunFileWriter::Implementation
     [[noreturn]] void refuse(int failure, std::size_t bytes) const
     {
         throw Error(ErrorCode::writeFailed, writeFailure(file, failure, bytes));
-    }
-
-    /// Under another name, so that a run file has a head from its first moment.
-    void create(std::string_view start)
-    {
-        const std::filesystem::path part = file.string() + ".part";
-        unlink(part.c_str());
-        descriptor = createNewFile(part);
-        if (descriptor < 0)
-        {
-            throw Error(ErrorCode::cannotCreate,
-                        fmt::format("cannot create '{}': {}", part.string(), std::strerror(errno)));
-        }
-        try
-        {
-            append(start);
-        }
-        catch (const Error&)
-        {
-            unlink(part.c_str());
-            throw;
-        }
-        if (std::rename(part.c_str(), file.c_str()) != 0)
-        {
-            const int failure = errno;
-            unlink(part.c_str());
-            refuse(failure, 0);
-        }
     }
 
     /// Opens a file that begins like this one; false for any other.
@@ -143,8 +115,8 @@ struct RunFileWriter::Implementation
 
     std::filesystem::path file;
     int descriptor = -1;
-    bool continues = false; ///< what follows may be there already
-    off_t at = 0;           ///< where, if it continues
+    bool continues = true; ///< what follows may be there already
+    off_t at = 0;          ///< where, if it continues
     FrameEncoder encoder;
     std::vector<std::uint32_t> numbers; ///< of the frames that wait in the encoder
 };
@@ -166,11 +138,16 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view
                               packRecord(RecordKind::head, {}, numbers.bytes()) +
                               packRecord(RecordKind::mesh, {}, plyBytes(mesh));
     implementation_->file = file;
-    implementation_->continues =
-        earlier == EarlierFile::continued && implementation_->reopen(start);
-    if (!implementation_->continues)
+    if (earlier != EarlierFile::continued || !implementation_->reopen(start))
     {
-        implementation_->create(start);
+        // A run file has a head from its first moment.
+        AtomicFile fresh(file);
+        fresh.write(start);
+        fresh.commit();
+        if (!implementation_->reopen(start))
+        {
+            implementation_->refuse(errno, start.size());
+        }
     }
 }
 

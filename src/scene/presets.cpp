@@ -64,7 +64,8 @@ PaperObject paperObject(std::string_view mesh)
 
 std::string runName(const std::string& mesh)
 {
-    const std::string stem = std::filesystem::path(mesh).stem().string();
+    const std::string stem = isBuiltInMesh(mesh) ? mesh.substr(0, mesh.find(':'))
+                                                 : std::filesystem::path(mesh).stem().string();
     return stem.empty() ? "run" : stem;
 }
 

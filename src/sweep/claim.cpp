@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sweep/claim.hpp"
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -38,7 +38,7 @@ RunReport reportOf(const FillResult& result)
     if (result.stopped)
     {
         return {RunStatus::stopped, static_cast<int>(ErrorCode::stoppedEarly),
-                fmt::format("stopped with {} of {} spheres", result.spheres, result.wanted)};
+                fmt::format("stopped with {} spheres", result.spheres)};
     }
     return {RunStatus::done, 0, ""};
 }

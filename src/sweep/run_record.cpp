@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "sweep/run_record.hpp"
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 #include <nlohmann/json.hpp>
 #include <unistd.h>

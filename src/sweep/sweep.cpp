@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "sweep/claim.hpp"
 #include "sweep/run_record.hpp"
 #include "sweep/run_status.hpp"

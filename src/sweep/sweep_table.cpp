@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "output/column_text.hpp"
 
 #include <frostfill/sweep.hpp>

@@ -179,6 +179,32 @@ TEST_F(CheckCommand, AnalyseDrawsPorosityOfLargeLengths)
     EXPECT_GT(test::readFile(folder_ / "found/porosity.svg").size(), 10000U);
 }
 
+TEST_F(CheckCommand, APackingNeedsNoMeshForWhatNeedsNoWalls)
+{
+    writeFile(folder_ / "pair.csv", "x,y,z,radius\n0,0,0,0.5\n0.9,0,0,0.5\n");
+    const Answer plain = run("check pair.csv");
+    EXPECT_EQ(plain.code, 0) << plain.errors;
+    EXPECT_NE(plain.errors.find("no mesh is given, and no --box"), std::string::npos);
+    EXPECT_NE(plain.output.find("largest overlap              0.2 of"), std::string::npos);
+    EXPECT_EQ(plain.output.find("carries"), std::string::npos) << plain.output;
+    EXPECT_EQ(run("check pair.csv --max-overlap 0.3").code, 0);
+    EXPECT_EQ(run("check pair.csv --box 1.5,2,2 --periodic --max-overlap 0.3").code, 2);
+    EXPECT_NE(
+        run("check pair.csv --box -1,-1,-1,2,1,1").output.find("volume of the mesh           12"),
+        std::string::npos);
+    ASSERT_EQ(run("analyse pair.csv --out found").code, 0);
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "found/network.csv"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "found/porosity_wall.csv"));
+    EXPECT_NE(run("analyse pair.csv --box 1.5,2,2 --periodic --out found --overwrite")
+                  .output.find("% of the box"),
+              std::string::npos);
+    for (const char* wrong : {"--max-outside 0", "--set judge.friction=1", "--box 1,2",
+                              "--box 1,2,0", "--periodic", "--box 1,1,1 --mesh cube"})
+    {
+        EXPECT_EQ(run(std::string("check pair.csv ") + wrong).code, 64) << wrong;
+    }
+}
+
 // In a cube that is half full, both say what they mean by the bulk.
 TEST_F(CheckCommand, AnalyseFindsTheBulkOfWhichFillTells)
 {

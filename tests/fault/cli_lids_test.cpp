@@ -70,7 +70,8 @@ protected:
 
 TEST_F(OpenMeshes, AreRefusedWithTheOptionThatHelps)
 {
-    expectRefused("fill tub.obj --count 5 --frames none", 65, "give --lid, or close it");
+    expectRefused("fill tub.obj --count 5 --frames none", 65,
+                  "give --lid (frostfill fill tub.obj --lid), or close it");
 }
 
 TEST_F(OpenMeshes, FillWithALidAndTheSummaryRepeatsIt)
@@ -234,6 +235,27 @@ TEST_F(OpenMeshes, AnOpeningThatDoesNotPointUpIsSaid)
                                        "is the top, give --up z\n"),
               std::string::npos);
     EXPECT_EQ(run(command + "--up z").errors.find("largest opening"), std::string::npos);
+}
+
+TEST_F(OpenMeshes, AMeshThatLiesOrMayHaveMillimetresIsTold)
+{
+    const auto said = [&](const std::string& mesh)
+    { return run("fill " + mesh + " --count 5 --frames none --out a --overwrite").errors; };
+    EXPECT_NE(said("cylinder:1,4 --up z")
+                  .find("z is up, and the mesh has a flat foot where y is "
+                        "least; if it stands on that, give --up y\n"),
+              std::string::npos);
+    EXPECT_NE(said("box:200,100,300")
+                  .find("the mesh is 300 m large; if its unit is the "
+                        "millimetre, give --units mm\n"),
+              std::string::npos);
+    for (const char* fine : {"cylinder:1,4", "box:2,1,3 --up z", "torus", "human", "sphere",
+                             "box:200,100,300 --units mm"})
+    {
+        const std::string text = said(fine);
+        EXPECT_EQ(text.find("give --up"), std::string::npos) << text;
+        EXPECT_EQ(text.find("give --units"), std::string::npos) << text;
+    }
 }
 
 TEST_F(OpenMeshes, AStopWhileASkinIsMadeEndsBothProgramsAtOnce)

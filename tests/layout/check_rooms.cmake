@@ -74,11 +74,11 @@ room(packing base ${mesh} scene scene/options snapshot simulation simulation/qua
 room(analysis base geometry ${mesh} bulk scene snapshot simulation simulation/quality packing)
 room(output base mesh snapshot scene scene/options image)
 room(shell mesh mesh/interior geometry snapshot)
-room(bed base geometry mesh mesh/interior output run_file)
+room(bed base geometry mesh mesh/interior mesh/repair output run_file)
 room(export base mesh view scene scene/options snapshot run_file output shell bed analysis)
-room(export/inputs mesh mesh/interior scene snapshot output export)
+room(export/inputs base mesh mesh/interior scene snapshot output export)
 room(run base mesh bulk view scene scene/options snapshot simulation image renderer render/overlay run_file output analysis)
-room(page mesh view scene snapshot renderer render/framing render/context render/overlay render/picture
+room(page base mesh view scene snapshot renderer render/framing render/context render/overlay render/picture
      run_file output shell run)
 
 room(analysis/files base snapshot run_file output export analysis)

@@ -38,6 +38,15 @@ class Analyse(FolderCase):
         contact = found.pairs[(found.pairs[:, 0] < 1) & (found.pairs[:, 1] > 1)]
         self.assertEqual(contact[0, 3], 6)
 
+    def test_finds_the_forces_in_contacts(self):
+        found = analyse(only="contacts", forces=0.5)
+        self.assertEqual(found.forces.shape, (len(found.network), 3))
+        self.assertGreater(abs(found.forces).max(), 0.5)
+        self.assertIn("largest_unbalance", found.summary["contacts"])
+        self.assertEqual(abs(analyse(only="contacts").forces).max(), 0)
+        with self.assertRaisesRegex(frostfill.Usage, "friction of forces"):
+            analyse(forces=-1)
+
     def test_has_cells_of_one_size(self):
         try:
             found = analyse(only="cells")

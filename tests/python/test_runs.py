@@ -130,7 +130,7 @@ class Runs(FolderCase):
         self.assertEqual(numpy.load(label).max(), len(run.radii))
         bed = json.loads(run.export(folder, "openfoam", cell=0.5, resolution=2)[-1].read_text())
         self.assertGreater(bed["estimated_cells"], 0)
-        stl = run.export(folder, "stl-bed", ascii=True, contacts="bridges:0.2")[0]
+        stl = run.export(folder, "stl-bed", ascii=True, contacts="caps:0.05")[0]
         self.assertTrue(stl.read_text().startswith("solid "))
         csv = run.export(self.folder / "measured.csv", measure=["q6", "rattler"])[0]
         self.assertTrue({"q6", "rattler"} <= set(csv.read_text().splitlines()[0].split(",")))

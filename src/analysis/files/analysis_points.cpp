@@ -10,21 +10,31 @@ namespace frostfill
 namespace
 {
 
-void putCentres(PolyDataFile& file, const PackingAnalysis& analysis)
+/// vectorOf(k) is the k-th of `count`.
+template <class VectorOf>
+void putVectors(PolyDataFile& file, const char* name, std::size_t count, VectorOf&& vectorOf)
 {
-    file.open("Points");
     file.array(
-        "Float64", "Points", analysis.centres.size() * 3 * sizeof(double),
+        "Float64", name, count * 3 * sizeof(double),
         [&](ByteWriter& data)
         {
-            for (const Eigen::Vector3d& centre : analysis.centres)
+            for (std::size_t k = 0; k < count; ++k)
             {
-                data.raw(centre.x());
-                data.raw(centre.y());
-                data.raw(centre.z());
+                const Eigen::Vector3d& vector = vectorOf(k);
+                data.raw(vector.x());
+                data.raw(vector.y());
+                data.raw(vector.z());
             }
         },
         3);
+}
+
+void putCentres(PolyDataFile& file, const PackingAnalysis& analysis)
+{
+    file.open("Points");
+    putVectors(
+        file, "Points",
+        analysis.centres.size(), [&](std::size_t k) -> auto& { return analysis.centres[k]; });
     file.close("Points");
 }
 
@@ -95,6 +105,12 @@ void writeNetworkVtp(const PackingAnalysis& analysis, const std::filesystem::pat
                         data.raw(contact.gap);
                     }
                 });
+    if (analysis.settings.forces)
+    {
+        putVectors(
+            lines, "force",
+            network.size(), [&](std::size_t k) -> auto& { return network[k].force; });
+    }
     lines.close("CellData");
     putCells(lines, "Lines", network.size(), 2,
              [&](std::size_t n)

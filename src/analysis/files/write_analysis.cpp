@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/files/analysis_points.hpp"
 #include "analysis/sphere_values.hpp"
+#include "base/atomic_file.hpp"
 #include "base/threads.hpp"
-#include "output/atomic_file.hpp"
 #include "output/column_text.hpp"
 
 #include <frostfill/error.hpp>
@@ -132,12 +132,20 @@ void writeContacts(Tables& tables, const PackingAnalysis& analysis)
     }
     tables.table("contacts.csv", "contacts,spheres,rattlers", all.size(),
                  [&](fmt::memory_buffer& row, std::size_t k) { put(row, k, all[k], rattlers[k]); });
-    tables.table("network.csv", "first,second,gap", contacts.network.size(),
+    const bool hasForces = analysis.settings.forces.has_value();
+    tables.table("network.csv",
+                 fmt::format("first,second,gap{}", hasForces ? ",force_x,force_y,force_z" : ""),
+                 contacts.network.size(),
                  [&](fmt::memory_buffer& row, std::size_t k)
                  {
                      const SphereContact& contact = contacts.network[k];
                      put(row, analysis.ids[contact.first], analysis.ids[contact.second],
                          contact.gap);
+                     if (hasForces)
+                     {
+                         row.push_back(',');
+                         put(row, contact.force.x(), contact.force.y(), contact.force.z());
+                     }
                  });
 }
 

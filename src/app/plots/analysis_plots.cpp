@@ -2,8 +2,8 @@
 #include "app/plots/analysis_plots.hpp"
 
 #include "app/plots/embedded_scripts.hpp"
+#include "base/atomic_file.hpp"
 #include "base/run_program.hpp"
-#include "output/atomic_file.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "export/inputs/start_state.hpp"
 #include "mesh/interior/nearest_point.hpp"
-#include "output/atomic_file.hpp"
 
 #include <fmt/format.h>
 
@@ -120,7 +120,7 @@ timestep ${{dt}}
 fix gravity all gravity ${{gravity}} vector {down}
 {walls}
 thermo_style custom step atoms ke
-thermo_modify lost error norm no
+thermo_modify lost error norm no flush yes
 thermo ${{often}}
 dump places all custom ${{steps}} lammps.dump id type x y z radius
 dump_modify places sort id format float %.15g

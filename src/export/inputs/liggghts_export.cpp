@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "export/inputs/start_state.hpp"
-#include "output/atomic_file.hpp"
 #include "output/stl_text.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ fix contact all wall/gran model hertz tangential history{rolling} mesh n_meshes 
 fix move all nve/sphere
 
 thermo_style custom step atoms ke
-thermo_modify lost error norm no
+thermo_modify lost error norm no flush yes
 thermo ${{often}}
 dump places all custom ${{steps}} liggghts.dump id type x y z radius
 dump_modify places sort id format "%d %d %.15g %.15g %.15g %.15g"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "base/atomic_file.hpp"
 #include "export/inputs/start_state.hpp"
-#include "output/atomic_file.hpp"
 
 #include <fmt/compile.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Formats that are a list of spheres and no more: MercuryDPM, MFiX, Lethe.
+#include "base/atomic_file.hpp"
 #include "export/inputs/start_state.hpp"
-#include "output/atomic_file.hpp"
 
 #include <fmt/compile.h>
 #include <fmt/format.h>

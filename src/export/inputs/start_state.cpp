@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "export/inputs/start_state.hpp"
 
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 #include <frostfill/error.hpp>
 

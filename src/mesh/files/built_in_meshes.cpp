@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/files/containers.hpp"
 #include "mesh/files/embedded_meshes.hpp"
 #include "mesh/files/readers.hpp"
 
@@ -6,6 +7,7 @@
 #include <frostfill/mesh.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -36,7 +38,7 @@ const BuiltIn* findBuiltIn(std::string_view name)
 
 bool isBuiltInMesh(std::string_view name)
 {
-    return findBuiltIn(name) != nullptr;
+    return findBuiltIn(name) != nullptr || findContainer(name) != nullptr;
 }
 
 std::vector<std::string> builtInMeshNames()
@@ -50,14 +52,27 @@ std::vector<std::string> builtInMeshNames()
     return names;
 }
 
+std::string builtInMeshText()
+{
+    std::string text = fmt::format("{}", fmt::join(builtInMeshNames(), ", "));
+    for (const ContainerShape& container : kContainers)
+    {
+        text += fmt::format(", {}", container.form);
+    }
+    return text;
+}
+
 TriangleMesh builtInMesh(std::string_view name)
 {
+    if (const ContainerShape* container = findContainer(name))
+    {
+        return containerMesh(*container, name);
+    }
     const BuiltIn* object = findBuiltIn(name);
     if (object == nullptr)
     {
-        throw Error(ErrorCode::badData, fmt::format("there is no built-in mesh '{}': choose torus, "
-                                                    "sphere, cube or human",
-                                                    name));
+        throw Error(ErrorCode::badData, fmt::format("there is no built-in mesh '{}': choose {}",
+                                                    name, builtInMeshText()));
     }
     return readObj(object->text());
 }

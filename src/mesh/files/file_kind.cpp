@@ -21,11 +21,8 @@ struct ForeignFormat
     std::string_view name;
 };
 
-constexpr std::array<ForeignFormat, 18> kForeignFormats = {{
-    {"PK\x03\x04", "a ZIP archive, as 3MF files are"},
-    {"\x1f\x8b", "compressed (gzip)"},
-    {"Kaydara FBX Binary", "an FBX file"},
-    {"; FBX", "an FBX file"},
+constexpr std::array<ForeignFormat, 13> kForeignFormats = {{
+    {"\x1f\x8b", "compressed (gzip): unpack it with gunzip"},
     {"BLENDER", "a Blender file"},
     {"DRACO", "compressed with Draco"},
     {"ISO-10303-21", "a STEP file, of curved surfaces"},
@@ -35,12 +32,37 @@ constexpr std::array<ForeignFormat, 18> kForeignFormats = {{
     {"LASF", "a point cloud (LAS)"},
     {"$MeshFormat", "a Gmsh file"},
     {"MeshVersionFormatted", "a Medit file"},
-    {"<COLLADA", "a COLLADA file (DAE)"},
     {"<VTKFile", "a VTK file in XML, as VTP and VTU files are"},
-    {"<X3D", "an X3D file"},
     {"<amf", "an AMF file"},
     {"<", "XML or a web page"},
 }};
+
+struct SceneFormat
+{
+    std::string_view begin; ///< likewise
+    FileKind kind;
+};
+
+constexpr std::array<SceneFormat, 6> kSceneFormats = {{{"glTF", FileKind::gltf},
+                                                       {"<COLLADA", FileKind::dae},
+                                                       {"Kaydara FBX Binary", FileKind::fbx},
+                                                       {"; FBX", FileKind::fbx},
+                                                       {"<X3D", FileKind::x3d},
+                                                       {"PK\x03\x04", FileKind::threeMf}}};
+
+/// Of a table of beginnings, the format whose beginning a file has.
+template <class Formats>
+const auto* formatOf(std::string_view bytes, const Formats& formats)
+{
+    const std::string_view xml =
+        bytes.substr(0, !bytes.empty() && bytes.front() == '<' ? kHeadOfXml : 0);
+    const auto found = std::find_if(formats.begin(), formats.end(),
+                                    [&](const auto& format) {
+                                        return bytes.starts_with(format.begin) ||
+                                               xml.find(format.begin) != std::string_view::npos;
+                                    });
+    return found == formats.end() ? nullptr : &*found;
+}
 
 bool endsWithOff(std::string_view word)
 {
@@ -54,9 +76,9 @@ std::optional<FileKind> kindByContent(std::string_view bytes)
     {
         return FileKind::binaryStl; // even if it begins with "solid", as some do
     }
-    if (bytes.starts_with("glTF"))
+    if (const auto* scene = formatOf(bytes, kSceneFormats))
     {
-        return FileKind::gltf;
+        return scene->kind;
     }
     TextScanner scanner(bytes, {.comment = '#'});
     const std::string_view word = scanner.wordAnywhere();
@@ -105,6 +127,23 @@ std::optional<FileKind> kindByEnding(std::string_view ending)
 
 } // namespace
 
+std::string_view endingOfScene(FileKind kind)
+{
+    switch (kind)
+    {
+    case FileKind::dae:
+        return "dae";
+    case FileKind::fbx:
+        return "fbx";
+    case FileKind::x3d:
+        return "x3d";
+    case FileKind::threeMf:
+        return "3mf";
+    default:
+        return "gltf";
+    }
+}
+
 FileKind kindOf(std::string_view bytes, std::string_view ending)
 {
     if (bytes.empty())
@@ -116,14 +155,7 @@ FileKind kindOf(std::string_view bytes, std::string_view ending)
     {
         return *byContent;
     }
-    const std::string_view xml = bytes.substr(0, bytes.front() == '<' ? kHeadOfXml : 0);
-    const auto* const stranger =
-        std::find_if(kForeignFormats.begin(), kForeignFormats.end(),
-                     [&](const ForeignFormat& other) {
-                         return bytes.starts_with(other.begin) ||
-                                xml.find(other.begin) != std::string_view::npos;
-                     });
-    if (stranger != kForeignFormats.end())
+    if (const auto* stranger = formatOf(bytes, kForeignFormats))
     {
         throw Unreadable(fmt::format("it is {}; convert the mesh to OBJ, STL, PLY, OFF or glTF",
                                      stranger->name));
@@ -133,7 +165,8 @@ FileKind kindOf(std::string_view bytes, std::string_view ending)
     {
         throw Unreadable(
             "its content is none of the formats that can be read, and it does not end "
-            "in .obj, .stl, .ply, .off, .gltf or .glb; convert the mesh to one of these");
+            "in .obj, .stl, .ply, .off, .gltf or .glb; convert the mesh to one of these, DAE, FBX, "
+            "X3D or 3MF");
     }
     return *byEnding;
 }

@@ -13,8 +13,15 @@ enum class FileKind
     ply,
     asciiStl,
     binaryStl,
-    gltf
+    gltf, // this and what follows: scenes
+    dae,
+    fbx,
+    x3d,
+    threeMf
 };
+
+/// "gltf", "dae", ..., by which assimp knows its reader.
+[[nodiscard]] std::string_view endingOfScene(FileKind kind);
 
 /// The format of a file, by its content first and then by its name's ending: many files have the
 /// wrong one. `ending` is in small letters, without the dot; `bytes` as decodeText leaves them.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/files/containers.hpp"
 #include "mesh/files/file_kind.hpp"
 #include "mesh/files/parse_mesh.hpp"
 #include "mesh/files/readers.hpp"
@@ -33,11 +34,9 @@ std::string contentOf(const std::filesystem::path& file)
     const std::string name = file.string();
     if (!std::filesystem::exists(file, ignored))
     {
-        throw Error(
-            ErrorCode::inputMissing,
-            fmt::format("there is no file '{}', and the built-in objects are torus, sphere, "
-                        "cube and human",
-                        name));
+        throw Error(ErrorCode::inputMissing,
+                    fmt::format("there is no file '{}', and the built-in objects are {}", name,
+                                builtInMeshText()));
     }
     std::ifstream stream(file, std::ios::binary);
     const std::uintmax_t size = std::filesystem::is_regular_file(file, ignored)
@@ -67,10 +66,10 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
         return readAsciiStl(bytes);
     case FileKind::binaryStl:
         return readBinaryStl(bytes);
-    case FileKind::gltf:
+    default:
         break;
     }
-    return readGltf(file, bytes);
+    return readScene(file, bytes, endingOfScene(kind));
 }
 
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One reader for each format. All but glTF's take the file's bytes, read numbers in double
+// One reader for each format. All but that of scenes take the file's bytes, read numbers in double
 // precision, and use memory in proportion to these bytes, whatever the file promises. They throw
 // Unreadable.
 #pragma once
@@ -27,8 +27,10 @@ namespace frostfill
 /// Whether the size is exactly that of a binary STL with as many triangles as it promises.
 [[nodiscard]] bool hasSizeOfBinaryStl(std::string_view bytes);
 
-/// glTF 2.0 and GLB, whose numbers are single precision. Assimp reads the file, and .bin files
-/// beside it; `bytes` are the file's, to say what it needs that no one here can read.
-[[nodiscard]] TriangleMesh readGltf(const std::filesystem::path& file, std::string_view bytes);
+/// Scenes, whose numbers are single precision, by assimp: glTF 2.0 and GLB, with .bin files beside
+/// them, COLLADA, FBX, X3D and 3MF. `ending`: gltf, dae, fbx, x3d or 3mf, whatever the name says;
+/// `bytes` are the file's, to say what it needs that no one here can read.
+[[nodiscard]] TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes,
+                                     std::string_view ending);
 
 } // namespace frostfill

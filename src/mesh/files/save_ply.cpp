@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "base/posix_file.hpp"
+#include "base/atomic_file.hpp"
 
-#include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <bit>
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <string_view>
 
@@ -85,36 +79,9 @@ std::string plyBytes(const TriangleMesh& mesh)
 
 void savePly(const TriangleMesh& mesh, const std::filesystem::path& file)
 {
-    const std::filesystem::path unfinished = file.string() + ".part";
-    unlink(unfinished.c_str()); // of a run that was killed
-    const int output = createNewFile(unfinished);
-    if (output < 0)
-    {
-        throw Error(ErrorCode::cannotCreate,
-                    fmt::format("cannot create '{}': {}", file.string(), std::strerror(errno)));
-    }
-    int failure = 0;
-    std::size_t size = 0;
-    const auto write = [&](std::string_view block)
-    {
-        size += block.size();
-        const auto* bytes = reinterpret_cast<const std::uint8_t*>(block.data());
-        failure = failure != 0 ? failure : writeAll(output, {bytes, block.size()});
-    };
-    forEachBlock(mesh, write);
-    failure = failure != 0 ? failure : syncFile(output);
-    const int atEnd = closeFile(output);
-    failure = failure != 0 ? failure : atEnd;
-    if (failure == 0 && std::rename(unfinished.c_str(), file.c_str()) != 0)
-    {
-        failure = errno;
-    }
-    if (failure != 0)
-    {
-        unlink(unfinished.c_str());
-        throw Error(failure == EISDIR ? ErrorCode::cannotCreate : ErrorCode::writeFailed,
-                    writeFailure(file, failure, size));
-    }
+    AtomicFile output(file);
+    forEachBlock(mesh, [&](std::string_view block) { output.write(block); });
+    output.commit();
 }
 
 } // namespace frostfill

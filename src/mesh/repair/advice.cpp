@@ -4,8 +4,9 @@
 #include "mesh/interior/interior_volume.hpp"
 #include "mesh/repair/openings.hpp"
 #include "mesh/repair/orient_mesh.hpp"
-#include "mesh/repair/replace_surface.hpp"
-#include "mesh/skin/enclosed_cells.hpp"
+#include "mesh/skin/wrap_program.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -38,15 +39,17 @@ bool hasVolume(const TriangleMesh& mesh, const MeshReport& report)
     return report.volume > least || interiorVolume(mesh) > least;
 }
 
-std::string optionsThatHelp(const TriangleMesh& mesh, const LoadMeshOptions& given)
+std::string optionsThatHelp(const TriangleMesh& mesh, std::string_view name,
+                            const LoadMeshOptions& given)
 {
     const bool lids = !given.lid && lidsHelp(mesh);
     const bool skin = !given.wrap && enclosesRoom(mesh, automaticAlpha(mesh));
-    if (lids && skin)
-    {
-        return "give --lid or --wrap auto, or ";
-    }
-    return lids ? "give --lid, or " : (skin ? "give --wrap auto, or " : "");
+    const char* quote = name.find(' ') == std::string_view::npos ? "" : "'";
+    const std::string lid =
+        lids ? fmt::format("--lid (frostfill fill {0}{1}{0} --lid)", quote, name) : "";
+    const char* wrap = skin ? "--wrap auto" : "";
+    return lids || skin ? fmt::format("give {}{}{}, or ", lid, lids && skin ? " or " : "", wrap)
+                        : "";
 }
 
 } // namespace frostfill

@@ -226,7 +226,7 @@ void refuseDefects(const TriangleMesh& mesh, const MeshReport& report, const Hol
 {
     if (const auto defect = findDefect(report, hole))
     {
-        refuse(name, fmt::format("{}; {}{}", defect->why, optionsThatHelp(mesh, options),
+        refuse(name, fmt::format("{}; {}{}", defect->why, optionsThatHelp(mesh, name, options),
                                  defect->byHand));
     }
 }
@@ -351,7 +351,7 @@ LoadedMesh repairMesh(TriangleMesh mesh, std::string_view name, const LoadMeshOp
     if (!hasVolume(mesh, result.report))
     {
         refuse(name, fmt::format("it encloses no volume; {}model it as the skin of a solid",
-                                 optionsThatHelp(mesh, options)));
+                                 optionsThatHelp(mesh, name, options)));
     }
     result.mesh = std::move(mesh);
     return result;

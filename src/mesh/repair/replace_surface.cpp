@@ -22,15 +22,10 @@ constexpr double kSheetOfSkin = 3.5;
 
 } // namespace
 
-double automaticAlpha(const TriangleMesh& mesh)
-{
-    return boundingBox(mesh).diagonal().norm() / 50;
-}
-
 void wrapMesh(TriangleMesh& mesh, double alpha, std::string_view name,
               std::vector<std::string>& repairs)
 {
-    alpha = alpha > 0 ? alpha : automaticAlpha(mesh);
+    alpha = alpha > 0 ? alpha : boundingBox(mesh).diagonal().norm() / 50;
     const double offset = kOffsetOverAlpha * alpha;
     TriangleMesh skin = makeSkin(mesh, alpha, offset, name);
     const double volume = signedVolume(skin);

@@ -13,11 +13,9 @@ namespace frostfill
 /// How far a skin lies around the mesh, over alpha. [1]
 inline constexpr double kOffsetOverAlpha = 1.0 / 30;
 
-/// The alpha of a skin for which none is given: a fiftieth of the diagonal of the mesh's box.
-[[nodiscard]] double automaticAlpha(const TriangleMesh& mesh);
-
 /// Replaces any triangles by a skin around them (makeSkin) and adds a sentence to the repairs.
-/// `alpha` 0: automatic. Throws Error badData if the skin encloses little more than itself, too.
+/// `alpha` 0: a fiftieth of the diagonal of the mesh's box. Throws Error badData if the skin
+/// encloses little more than itself, too.
 void wrapMesh(TriangleMesh& mesh, double alpha, std::string_view name,
               std::vector<std::string>& repairs);
 

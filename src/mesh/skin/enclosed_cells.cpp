@@ -22,7 +22,7 @@ constexpr double kRoomCells = 64;
 constexpr int kWallsOfRoom = 16;
 /// [edge of a cube] How far in front of a triangle a free cube is looked for.
 constexpr int kStepsToRoom = 3;
-/// A byte each. Seventy times those of the default alpha.
+/// A byte each.
 constexpr double kMaxCells = 16e6;
 /// Cubes looked at, for all triangles: a second.
 constexpr std::size_t kMaxLooks = 100'000'000;
@@ -89,38 +89,6 @@ public:
         return true;
     }
 
-    /// Walks in from a corner, through faces of cubes.
-    void flood()
-    {
-        std::vector<std::array<int, 3>> front = {{0, 0, 0}};
-        state_[0] = kReached;
-        while (!front.empty())
-        {
-            const std::array<int, 3> at = front.back();
-            front.pop_back();
-            for (int face = 0; face < 6; ++face)
-            {
-                std::array<int, 3> next = at;
-                next[face / 2] += face % 2 == 0 ? -1 : 1;
-                if (next[face / 2] < 0 || next[face / 2] >= counts_[face / 2])
-                {
-                    continue;
-                }
-                char& state = state_[index(next[0], next[1], next[2])];
-                if (state == kFree)
-                {
-                    state = kReached;
-                    front.push_back(next);
-                }
-            }
-        }
-    }
-
-    [[nodiscard]] bool anyFree() const
-    {
-        return std::find(state_.begin(), state_.end(), kFree) != state_.end();
-    }
-
     /// Whether most directions from the first free cube in front of a triangle end at walls;
     /// nothing where there is none near.
     [[nodiscard]] std::optional<bool> facesRoom(const Eigen::Vector3d& middle,
@@ -147,12 +115,11 @@ public:
     }
 
 private:
-    static constexpr double kMargin = 2; // cubes around the box, so that the flood gets round it
+    static constexpr double kMargin = 2; // cubes around the box
     static constexpr char kFree = 0;
     static constexpr char kBlocked = 1;
-    static constexpr char kReached = 2;
-    static constexpr char kRoom = 3;
-    static constexpr char kOutside = 4;
+    static constexpr char kRoom = 2;
+    static constexpr char kOutside = 3;
 
     /// Of the 26 directions to neighbours, those in which a blocked cube lies.
     [[nodiscard]] int wallsAround(const Eigen::Array3i& from) const
@@ -192,17 +159,6 @@ private:
 };
 
 } // namespace
-
-bool enclosesRoom(const TriangleMesh& mesh, double alpha)
-{
-    Cells cells(boundingBox(mesh), alpha);
-    if (!cells.block(mesh))
-    {
-        return false;
-    }
-    cells.flood();
-    return cells.anyFree();
-}
 
 std::vector<bool> facesRooms(const TriangleMesh& mesh)
 {

@@ -6,6 +6,8 @@
 #include "simulation/discard/discard_rule.hpp"
 #include "simulation/engine/tolerances.hpp"
 
+#include <cmath>
+
 namespace frostfill
 {
 namespace
@@ -92,7 +94,10 @@ bool GranularEngine::isOver() const
 {
     const bool isCalm = settling_.isCalm() && settling_.unrest().speed < kSpeedOfPour;
     const double timeToSink = drag_ * world_.height; // at the speed at which drag is weight
-    return (sinceAdmitted_ > kTimeToFall && isCalm) || sinceAdmitted_ > kLongestPour + timeToSink;
+    const double longest = world_.scene.motion.restitution < 1
+                               ? kLongestPour
+                               : kElasticFalls * std::sqrt(2 * world_.height);
+    return (sinceAdmitted_ > kTimeToFall && isCalm) || sinceAdmitted_ > longest + timeToSink;
 }
 
 void GranularEngine::settle()

@@ -60,6 +60,9 @@ inline constexpr double kSpeedOfPour = 0.5;
 inline constexpr double kTimeToFall = 2;
 /// Pouring is over in any case when none has appeared for so long [sqrt(r/g)].
 inline constexpr double kLongestPour = 400;
+/// The same where collisions lose nothing, in falls through the object: such grains never grow
+/// calm, and settling takes their speed away. Larger: time, at each time that room is left.
+inline constexpr double kElasticFalls = 4;
 /// Where a packing fraction of the bulk is asked for, grains sink with a drag of all motion
 /// [1/sqrt(r/g)], so at a tenth of sqrt(g r) in the end: they come in as loosely as they can, as
 /// nothing loosens them. Larger: time. Smaller: denser, such as 0.601 without drag and 0.575 at 10,

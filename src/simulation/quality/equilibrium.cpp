@@ -5,6 +5,8 @@
 #include "simulation/quality/least_friction.hpp"
 #include "simulation/quality/tolerances.hpp"
 
+#include <cmath>
+
 namespace frostfill
 {
 namespace
@@ -50,6 +52,31 @@ std::vector<double> unbalanceAtRest(const World& world)
         missing[body] = found > noise ? found : 0;
     }
     return missing;
+}
+
+ContactForces forcesAtRest(const World& world)
+{
+    Threads threads(world.scene.threads);
+    const ContactNetwork network = networkAtRest(world, threads);
+    JointBalance forces(network, threads);
+    ContactForces found;
+    found.missing =
+        forces.solve(frictionOf(world), {.unbalance = world.scene.judge.unbalance}).largest;
+    double weight = 0;
+    for (const ContactNetwork::Body& body : network.bodies)
+    {
+        weight += std::pow(body.radius, 3) / static_cast<double>(network.bodies.size());
+    }
+    const SphereGrid& resting = world.spheres.resting();
+    for (std::size_t k = 0; k < network.contacts.size(); ++k)
+    {
+        const auto& [normal, upon, from] = network.contacts[k];
+        if (from != ContactNetwork::kWall)
+        {
+            found.pairs.push_back({resting.id(upon), resting.id(from), forces.force(k) / weight});
+        }
+    }
+    return found;
 }
 
 } // namespace frostfill

@@ -16,4 +16,18 @@ namespace frostfill
 /// 0 for less than forces settle to.
 [[nodiscard]] std::vector<double> unbalanceAtRest(const World& world);
 
+/// The forces with which spheres at rest hold one another, under the same friction.
+struct ContactForces
+{
+    struct Pair
+    {
+        std::uint32_t upon; ///< id
+        std::uint32_t from;
+        Eigen::Vector3d force; ///< [weight of a sphere of mean volume] on `upon`
+    };
+    std::vector<Pair> pairs;
+    double missing = 0; ///< [own weight] on a sphere, at most
+};
+[[nodiscard]] ContactForces forcesAtRest(const World& world);
+
 } // namespace frostfill

@@ -6,7 +6,6 @@
 #include "scene/packing_estimate.hpp"
 #include "simulation/quality/beside.hpp"
 #include "simulation/quality/contact_network.hpp"
-#include "simulation/quality/equilibrium.hpp"
 #include "simulation/quality/heap_slope.hpp"
 #include "simulation/quality/support.hpp"
 #include "simulation/quality/tolerances.hpp"
@@ -234,9 +233,14 @@ QualityReport examine(const World& world)
     return report;
 }
 
-QualityReport examine(const TriangleMesh& mesh, std::span<const Eigen::Vector3d> centres,
-                      std::span<const double> radii, const std::vector<bool>& atRest, Axis up,
-                      const JudgeSettings& settings)
+namespace
+{
+
+/// Calls judge(world) with a world that has these spheres.
+template <class Judge>
+auto judgeIn(const TriangleMesh& mesh, std::span<const Eigen::Vector3d> centres,
+             std::span<const double> radii, const std::vector<bool>& atRest, Axis up,
+             const JudgeSettings& settings, Judge&& judge)
 {
     if (centres.size() != radii.size() || centres.size() != atRest.size())
     {
@@ -263,7 +267,24 @@ QualityReport examine(const TriangleMesh& mesh, std::span<const Eigen::Vector3d>
     }
     World world(scene, mesh);
     place(world, centres, radii, atRest);
-    return examine(world);
+    return judge(world);
+}
+
+} // namespace
+
+QualityReport examine(const TriangleMesh& mesh, std::span<const Eigen::Vector3d> centres,
+                      std::span<const double> radii, const std::vector<bool>& atRest, Axis up,
+                      const JudgeSettings& settings)
+{
+    return judgeIn(mesh, centres, radii, atRest, up, settings,
+                   [](const World& world) { return examine(world); });
+}
+
+ContactForces forcesBetween(const TriangleMesh& mesh, std::span<const Eigen::Vector3d> centres,
+                            std::span<const double> radii, Axis up, const JudgeSettings& settings)
+{
+    return judgeIn(mesh, centres, radii, std::vector<bool>(radii.size(), true), up, settings,
+                   forcesAtRest);
 }
 
 void place(World& world, std::span<const Eigen::Vector3d> centres, std::span<const double> radii,

@@ -4,6 +4,7 @@
 // grids.
 #pragma once
 
+#include "simulation/quality/equilibrium.hpp"
 #include "simulation/world/world.hpp"
 
 #include <span>
@@ -24,6 +25,12 @@ namespace frostfill
                                     std::span<const Eigen::Vector3d> centres,
                                     std::span<const double> radii, const std::vector<bool>& atRest,
                                     Axis up = Axis::y, const JudgeSettings& settings = {});
+
+/// The forces between such spheres, all of which are at rest: see forcesAtRest.
+[[nodiscard]] ContactForces forcesBetween(const TriangleMesh& mesh,
+                                          std::span<const Eigen::Vector3d> centres,
+                                          std::span<const double> radii, Axis up,
+                                          const JudgeSettings& settings);
 
 /// Puts such spheres into an empty world, whose grids are then such that few spheres are looked at
 /// beside each, whatever their sizes.

@@ -131,7 +131,7 @@ void Settling::startFlow()
 void Settling::compact()
 {
     givesWay_ = true;
-    const bool isNear = missingFraction() < kSlowlyFrom;
+    const bool isNear = missingOfMeasured() < kSlowlyFrom;
     advanceByImpulses(kTimeOfCompaction, isNear ? kDragOfStop : kDragOfCompaction);
     isDensest_ = isCalm() || inPhase_ >= kLongestFlow;
     if (isDensest_ || missingFraction() <= 0)
@@ -232,9 +232,13 @@ bool Settling::isCalm() const
 bool Settling::balances() const
 {
     const Unrest& unrest = motion_.unrest();
+    return static_cast<double>(unrest.moving) <= mostMoving() && unrest.missing <= kMissingAtRest;
+}
+
+double Settling::mostMoving() const
+{
     const auto count = static_cast<double>(running_.size());
-    const double most = std::max(kMovingAtRest * count, std::min(kFewMoveAtRest, kFewMove * count));
-    return static_cast<double>(unrest.moving) <= most && unrest.missing <= kMissingAtRest;
+    return std::max(kMovingAtRest * count, std::min(kFewMoveAtRest, kFewMove * count));
 }
 
 bool Settling::rests() const
@@ -293,12 +297,18 @@ bool Settling::hasStayed() const
 // Below 0 where the bulk is denser than asked; 0 where there is none.
 double Settling::missingFraction()
 {
-    if (!bulk_)
+    if (bulk_)
     {
-        return 0;
+        world_.clock.settling.fraction =
+            bulk_->fraction(running_.position.all(), running_.radius.all());
     }
-    const auto reached = bulk_->fraction(running_.position.all(), running_.radius.all());
-    world_.clock.settling.fraction = reached;
+    return missingOfMeasured();
+}
+
+// Of the last measurement.
+double Settling::missingOfMeasured() const
+{
+    const auto& reached = world_.clock.settling.fraction;
     return reached ? *world_.scene.rest.fraction - *reached : 0;
 }
 
@@ -313,6 +323,8 @@ void Settling::report()
     report.settled = rests();
     report.missing = motion_.unrest().missing;
     report.overlap = motion_.unrest().overlap;
+    report.moving = motion_.unrest().moving;
+    report.mayMove = static_cast<std::size_t>(mostMoving());
 }
 
 void Settling::freeze()

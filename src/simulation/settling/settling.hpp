@@ -77,6 +77,7 @@ private:
     void flow();
     bool harden();
     [[nodiscard]] bool balances() const;
+    [[nodiscard]] double mostMoving() const;
     [[nodiscard]] bool rests() const;
     [[nodiscard]] bool canBeRelieved() const;
     [[nodiscard]] bool isPinched() const;
@@ -85,6 +86,7 @@ private:
     [[nodiscard]] bool hasStayed() const;
     void freeze();
     [[nodiscard]] double missingFraction();
+    [[nodiscard]] double missingOfMeasured() const;
     [[nodiscard]] bool hasCompacted();
     void report();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/simulation.hpp>
+
 #include <cstddef>
 
 namespace frostfill
@@ -53,7 +55,7 @@ inline constexpr double kGoesOn = 0.8;
 inline constexpr double kTimeOfLook = 0.5;
 /// A sphere moves if more than this is missing on it [own weight], and a loose one if it is faster
 /// than this [sqrt(g r)]. Larger: what creeps is taken to rest.
-inline constexpr double kMissingOnMoving = 0.02;
+inline constexpr double kMissingOnMoving = SettlingReport::kMissingOnMost;
 inline constexpr double kSpeedOfMoving = 2e-3;
 /// Force that may be missing [own weight], and speed [sqrt(g r)], of a sphere that is not moved.
 /// Larger: what creeps stops. Smaller: more is moved.
@@ -113,14 +115,14 @@ inline constexpr double kStiffest = 50;
 /// it by which they differ in the end is an overlap for longer.
 inline constexpr double kGapAtRest = 2e-5;
 /// Overlap that is left [r].
-inline constexpr double kOverlapAtRest = 1e-8;
+inline constexpr double kOverlapAtRest = SettlingReport::kOverlap;
 /// Share of the spheres that may still move in the end, or kFewMove of them but no more than this
 /// many; and what may be missing on those [own weight]: what rolls down a gentle slope would for
 /// long. The judge has a
 /// tenth of his own. Larger: what creeps is taken to rest.
 inline constexpr double kMovingAtRest = 5e-3;
 inline constexpr double kFewMoveAtRest = 5;
-inline constexpr double kMissingAtRest = 0.1;
+inline constexpr double kMissingAtRest = SettlingReport::kMissing;
 /// With rolling friction, or several sizes, a pile stands anew from where it lies, without the
 /// forces that contacts have kept, before it is at rest: no more than kMovingAtRest may go farther
 /// meanwhile [own radius], or that is repeated, at most so many times. Larger, and fewer: more

@@ -79,6 +79,18 @@ TEST_F(AnalysisFiles, HaveARowOfEachSphere)
                                                   "2,0,0", "3,8,0", "4,36,0", "5,54,0", "6,27,0"}));
 }
 
+TEST_F(AnalysisFiles, HaveTheForcesThatAreAskedFor)
+{
+    const Packing packing = test::packingOf(test::lattices()[0], 2, 1);
+    AnalysisSettings settings{.forces = 0.3};
+    settings.only = {AnalysisKind::contacts};
+    const auto files = write(analysePacking(test::boxAround(packing), packing, settings), "out");
+    EXPECT_EQ(linesOf(files.at("network.csv"))[0], "first,second,gap,force_x,force_y,force_z");
+    EXPECT_NE(files.at("network.vtp").find("Name=\"force\" NumberOfComponents=\"3\""),
+              std::string::npos);
+    EXPECT_NE(files.at("summary.json").find("\"largest_unbalance\": "), std::string::npos);
+}
+
 TEST_F(AnalysisFiles, HaveALineOfEachContactForParaView)
 {
     const Packing packing = test::packingOf(test::lattices()[0], 2, 1);

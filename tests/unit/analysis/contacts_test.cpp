@@ -66,6 +66,21 @@ TEST(ContactsOfAPacking, AreThoseOfEveryPair)
     EXPECT_EQ(analysis.contacts->spheres, counts);
 }
 
+TEST(ContactsOfAPacking, OfAColumnCarryWhatIsAbove)
+{
+    const TriangleMesh room = shapes::box({-1, 0, -1}, {2, 6, 2});
+    const PackingAnalysis analysis = contactsOf(room, rowOf(4), {.forces = 0.5});
+    ASSERT_EQ(analysis.contacts->network.size(), 3U);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        // Weights of the spheres above press the first one down.
+        const Eigen::Vector3d expected(0, static_cast<double>(k) - 3, 0);
+        EXPECT_LT((analysis.contacts->network[k].force - expected).norm(), 0.02) << k;
+    }
+    EXPECT_LT(analysis.contacts->unbalance, 0.02);
+    EXPECT_EQ(contactsOf(room, rowOf(4)).contacts->network[0].force.norm(), 0);
+}
+
 TEST(ContactsOfAPacking, AreWithWallsOnceForEachOfThem)
 {
     // A box whose sides have many triangles, and a sphere in its corner.

@@ -135,6 +135,32 @@ TEST_P(LatticeIn, HasThePorosityOfItsSpheres)
     EXPECT_NEAR(volume, analysis.meshVolume, 1e-12 * analysis.meshVolume);
 }
 
+// In a box that repeats no sphere is at a wall, wherever the box begins.
+TEST_P(LatticeIn, HasAllNeighboursOfEachSphereInABoxThatRepeats)
+{
+    const test::Lattice& lattice = GetParam();
+    Packing packing = test::packingOf(lattice, 4, 1);
+    packing.centres.front() += Eigen::Vector3d(4 * lattice.edge, -8 * lattice.edge, 0);
+    const TriangleMesh box =
+        shapes::box(test::kCorner, test::kCorner + Eigen::Vector3d::Constant(4 * lattice.edge));
+    AnalysisSettings settings{.bounds = AnalysisBounds::periodic, .range = 2};
+    const PackingAnalysis found = analysePacking(box, packing, settings);
+    EXPECT_EQ(found.outside, 0U);
+    EXPECT_EQ(found.contacts->mean, lattice.neighbours);
+    EXPECT_EQ(found.contacts->meanInside, lattice.neighbours);
+    EXPECT_EQ(found.contacts->walls, std::vector<std::uint32_t>(packing.radii.size(), 0));
+    for (const double q6 : found.order->q6)
+    {
+        EXPECT_NEAR(q6, lattice.q6, 1e-9);
+    }
+    EXPECT_EQ(found.pairs->centres, packing.radii.size());
+    const auto second =
+        std::find_if(found.pairs->bins.begin(), found.pairs->bins.end(),
+                     [&](const PairBin& bin) { return bin.to > lattice.secondDistance + 0.005; });
+    EXPECT_EQ(second->neighbours, lattice.secondShell);
+    EXPECT_FALSE(found.porosity || found.cells);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, LatticeIn, ::testing::ValuesIn(test::lattices()),
                          [](const auto& tested) { return std::string(tested.param.name); });
 

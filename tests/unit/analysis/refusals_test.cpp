@@ -69,6 +69,22 @@ TEST(AnalysePacking, RefusesSpheresThatAreNone)
         ErrorCode::badData, [&] { (void)analyse({}); }, "none of 0 centres");
 }
 
+TEST(AnalysePacking, WithoutWallsHasNoneToTouchAndRefusesWhatNeedsThem)
+{
+    Packing packing;
+    packing.centres = {{0, 0, 0}, {1, 0, 0}};
+    packing.radii = {0.5, 0.5};
+    packing.atRest = {true, true};
+    const TriangleMesh box = shapes::box({-0.5, -0.5, -0.5}, {1.5, 0.5, 0.5});
+    AnalysisSettings settings{.bounds = AnalysisBounds::none};
+    const PackingAnalysis found = analysePacking(box, packing, settings);
+    EXPECT_EQ(found.contacts->walls, (std::vector<std::uint32_t>{0, 0}));
+    EXPECT_TRUE(found.pairs && found.order && found.sizes && !found.porosity);
+    settings.only = {AnalysisKind::porosity};
+    test::expectError(
+        ErrorCode::usage, [&] { (void)analysePacking(box, packing, settings); }, "need walls");
+}
+
 TEST(AnalysePacking, LeavesOutWhatIsNowhereInside)
 {
     Packing packing = twoSpheres();

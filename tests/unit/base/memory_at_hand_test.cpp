@@ -36,19 +36,23 @@ protected:
         test::writeFile(folder_ / file, text);
     }
     [[nodiscard]] MemoryAtHand atHand() const { return memoryAtHand(folder_.path()); }
+    /// What is left once a file of the control groups has this text. [bytes]
+    double leftWith(const std::string& file, const std::string& text)
+    {
+        write("sys/fs/cgroup/" + file, text);
+        return atHand().bytes;
+    }
     test::TemporaryFolder folder_;
 };
 
 TEST_F(ControlGroups, BoundMemoryByTheLimitLessTheCurrentUse)
 {
     groups("0::/job/step\n");
-    write("sys/fs/cgroup/job/step/memory.max", "64000000\n");
-    write("sys/fs/cgroup/job/step/memory.current", "24000000\n");
-    EXPECT_EQ(atHand().bytes, 40e6);
+    EXPECT_EQ(leftWith("job/step/memory.max", "64000000\n"), 64e6);
+    EXPECT_EQ(leftWith("job/step/memory.current", "24000000\n"), 40e6);
     EXPECT_NE(atHand().bound.find("sys/fs/cgroup/job/step is 0.064 GB"), std::string::npos)
         << atHand().bound;
-    write("sys/fs/cgroup/job/step/memory.high", "50000000\n");
-    EXPECT_EQ(atHand().bytes, 26e6);
+    EXPECT_EQ(leftWith("job/step/memory.high", "50000000\n"), 26e6);
     EXPECT_NE(atHand().bound.find("memory.high"), std::string::npos) << atHand().bound;
 }
 
@@ -56,38 +60,31 @@ TEST_F(ControlGroups, BoundMemoryByTheirParentsToo)
 {
     groups("0::/job/step\n");
     write("sys/fs/cgroup/job/step/memory.max", "max\n");
-    write("sys/fs/cgroup/job/memory.max", "32000000\n");
-    EXPECT_EQ(atHand().bytes, 32e6);
-    write("sys/fs/cgroup/memory.max", "16000000\n");
-    EXPECT_EQ(atHand().bytes, 16e6);
+    EXPECT_EQ(leftWith("job/memory.max", "32000000\n"), 32e6);
+    EXPECT_EQ(leftWith("memory.max", "16000000\n"), 16e6);
 }
 
 TEST_F(ControlGroups, OfVersionOneBoundMemoryEvenWhereAContainerSeesOnlyItsOwn)
 {
     groups("5:cpu:/other\n4:memory:/container/of/the/host\n0::/\n");
-    write("sys/fs/cgroup/memory/memory.limit_in_bytes", "48000000\n");
-    write("sys/fs/cgroup/memory/memory.usage_in_bytes", "8000000\n");
-    EXPECT_EQ(atHand().bytes, 40e6);
-    write("sys/fs/cgroup/memory/container/of/the/host/memory.limit_in_bytes", "4000000\n");
-    EXPECT_EQ(atHand().bytes, 4e6);
+    EXPECT_EQ(leftWith("memory/memory.limit_in_bytes", "48000000\n"), 48e6);
+    EXPECT_EQ(leftWith("memory/memory.usage_in_bytes", "8000000\n"), 40e6);
+    EXPECT_EQ(leftWith("memory/container/of/the/host/memory.limit_in_bytes", "4000000\n"), 4e6);
 }
 
 TEST_F(ControlGroups, CountFilesInTheCacheAsFree)
 {
     groups("0::/job\n");
     write("sys/fs/cgroup/job/memory.max", "64000000\n");
-    write("sys/fs/cgroup/job/memory.current", "60000000\n");
-    write("sys/fs/cgroup/job/memory.stat", "anon 4000000\nfile 56000000\ninactive_file 50000000\n");
-    EXPECT_EQ(atHand().bytes, 54e6);
-    write("sys/fs/cgroup/job/memory.current", "80000000\n");
-    EXPECT_EQ(atHand().bytes, 34e6);
+    EXPECT_EQ(leftWith("job/memory.current", "60000000\n"), 4e6);
+    EXPECT_EQ(leftWith("job/memory.stat", "anon 4000000\ninactive_file 50000000\n"), 54e6);
+    EXPECT_EQ(leftWith("job/memory.current", "80000000\n"), 34e6);
 }
 
 TEST_F(ControlGroups, WithoutALimitLeaveWhatTheMachineHas)
 {
     groups("4:memory:/a\n0::/\n");
-    write("sys/fs/cgroup/memory/a/memory.limit_in_bytes", "9223372036854771712\n");
-    EXPECT_GT(atHand().bytes, 1e8);
+    EXPECT_GT(leftWith("memory/a/memory.limit_in_bytes", "9223372036854771712\n"), 1e8);
     EXPECT_EQ(atHand().bound.find("control group"), std::string::npos);
 }
 

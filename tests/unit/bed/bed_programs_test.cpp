@@ -72,7 +72,7 @@ TEST_F(BedFiles, OfStlAreReadBackAsAClosedSurfaceOfTheStatedVolume)
 {
     for (const bool ascii : {false, true})
     {
-        write(ExportFormat::stlBed, "bridges:0.2", 4, ascii);
+        write(ExportFormat::stlBed, "caps:0.05", 4, ascii);
         const auto summary = nlohmann::json::parse(readFile(folder_ / "out/bed.stl.json"));
         const TriangleMesh mesh = readMesh(folder_ / "out/bed.stl");
         const MeshReport report = inspectMesh(mesh);
@@ -100,7 +100,7 @@ TEST_F(BedFiles, OfStlAreClosedAndNotSelfIntersectingForOpenFoam)
     for (const auto& [object, radius] : {std::pair{"cube", 0.28}, {"torus", 0.1}})
     {
         fill(object, radius);
-        for (const char* contacts : {"shrink:0.99", "caps:0.02", "bridges:0.2"})
+        for (const char* contacts : {"shrink:0.99", "caps:0.02"})
         {
             SCOPED_TRACE(fmt::format("{} {}", object, contacts));
             write(ExportFormat::stlBed, contacts);
@@ -129,7 +129,7 @@ TEST_F(BedFiles, AreMeshedByGmsh)
         run(fmt::format(fmt::runtime(mesh), "bed", "bed.geo.json", "porosity_of_geometry", "0.03")),
         0)
         << said();
-    for (const char* contacts : {"shrink:0.99", "bridges:0.2"})
+    for (const char* contacts : {"shrink:0.99", "caps:0.05"})
     {
         // As text: gmsh tells the free space from the spheres by the solids that bound it.
         write(ExportFormat::stlBed, contacts, 4, true);

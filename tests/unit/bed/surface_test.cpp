@@ -68,8 +68,7 @@ TEST_P(SurfaceOfTreatment, IsClosedAndNowhereCrossesItselfWithSpheresOfAllSizes)
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SurfaceOfTreatment,
-                         ::testing::Values("shrink:0.99", "caps:0.02", "caps:0.1", "bridges:0.2",
-                                           "bridges:0.35,0.05", "bridges:0.1"));
+                         ::testing::Values("shrink:0.99", "caps:0.02", "caps:0.1"));
 
 // The triangles of inscribed spheres tend to spheres as 1 / N^2.
 TEST(BedSurface, HasThePorosityOfShrunkSpheresAsTheyGetFiner)
@@ -91,38 +90,7 @@ TEST(BedSurface, HasThePorosityOfShrunkSpheresAsTheyGetFiner)
     }
 }
 
-// Two spheres and a cylinder: a cap of height h = r - sqrt(r^2 - b^2) is left out of each.
-TEST(BedSurface, HasTheVolumeOfABridge)
-{
-    const test::Spheres two = {{{-1, 0, 0}, {1, 0, 0}}, {1, 1}};
-    const Bed bed = bedOf(shapes::box({-3, -3, -3}, {3, 3, 3}), two, treatment("bridges:0.5", 60));
-    const BedSurface surface(bed);
-    EXPECT_EQ(surface.links().bridged, 1U);
-    const double pi = std::numbers::pi;
-    const double h = 1 - std::sqrt(1 - 0.25);
-    const double solid = 2 * (4.0 / 3.0 * pi - pi * h * h * (3 - h) / 3) + pi * 0.25 * 2 * h;
-    EXPECT_NEAR(216 - surface.freeVolume(), solid, 1e-3 * solid);
-    expectSound(surface);
-}
-
-// Bridges join spheres with each other. From a wall they keep the gap, as with caps.
-TEST(BedSurface, KeepsTheGapToAWallThatABridgeWouldMeet)
-{
-    const test::Spheres two = {{{1.6, -2, 0.2}, {1.6, 0, 0.2}}, {1, 1}};
-    const Bed bed = bedOf(shapes::box({-3, -3, -3}, {3, 3, 3}), two, treatment("bridges:0.3,0.05"));
-    const BedSurface surface(bed);
-    EXPECT_EQ(surface.links().bridged, 1U);
-    EXPECT_EQ(surface.links().flattened, 1U);
-    double lowest = 9;
-    for (const Eigen::Vector3d& p : test::welded(surface).vertices)
-    {
-        lowest = p.y() > -3 ? std::min(lowest, p.y()) : lowest;
-    }
-    EXPECT_NEAR(lowest, -2.95, 1e-6);
-    expectSound(surface);
-}
-
-class BridgesBesideWalls : public ::testing::TestWithParam<int>
+class CapsBesideWalls : public ::testing::TestWithParam<int>
 {
 protected:
     [[nodiscard]] static TriangleMesh container()
@@ -145,11 +113,11 @@ protected:
     }
 };
 
-TEST_P(BridgesBesideWalls, LeaveTheSurfaceClosedAndNowhereCrossingItself)
+TEST_P(CapsBesideWalls, LeaveTheSurfaceClosedAndNowhereCrossingItself)
 {
     const TriangleMesh mesh = container();
     const test::Spheres spheres = test::touchingSpheresIn(mesh, 250, 0.16);
-    for (const char* how : {"bridges:0.2", "bridges:0.1,0.005", "bridges:0.4,0.05"})
+    for (const char* how : {"caps:0.02", "caps:0.005", "caps:0.05"})
     {
         SCOPED_TRACE(how);
         const Bed bed = bedOf(mesh, spheres, treatment(how));
@@ -159,19 +127,19 @@ TEST_P(BridgesBesideWalls, LeaveTheSurfaceClosedAndNowhereCrossingItself)
             std::count_if(links.begin(), links.end(),
                           [](const BedLink& link) { return link.second == BedLink::kWall; });
         EXPECT_GT(walls, 25);
-        EXPECT_GT(surface.links().bridged, 25U);
+        EXPECT_GT(links.size(), 50U);
         expectSound(surface);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Containers, BridgesBesideWalls, ::testing::Range(0, 6));
+INSTANTIATE_TEST_SUITE_P(Containers, CapsBesideWalls, ::testing::Range(0, 6));
 
 TEST(BedSurface, FlattensSpheresUpToTheGap)
 {
     const test::Spheres two = {{{-1, 0, 0}, {1, 0, 0}}, {1, 1}};
     const Bed bed = bedOf(shapes::box({-2, -3, -3}, {3, 3, 3}), two, treatment("caps:0.1"));
     const BedSurface surface(bed);
-    EXPECT_EQ(surface.links().flattened, 2U); // the other sphere, and the wall at -2
+    EXPECT_EQ(surface.links().links.size(), 2U); // the other sphere, and the wall at -2
     double left = -9;
     double right = 9;
     double lowest = 9;
@@ -195,7 +163,7 @@ TEST(BedSurface, HasTheSamePartsForAnyNumberOfThreads)
     std::vector<StlTriangle> first;
     for (const int threads : {1, 2, 5})
     {
-        BedSettings settings = treatment("bridges:0.2");
+        BedSettings settings = treatment("caps:0.05");
         settings.threads = threads;
         const Bed bed = bedOf(shapes::box({-1, -1, -1}, {1, 1, 1}), spheres, settings);
         const BedSurface surface(bed);
@@ -233,7 +201,6 @@ TEST(BedSurface, RefusesWhatNoTreatmentParts)
         "overlaps sphere 1");
     EXPECT_NO_THROW(make(crossing, "shrink:0.7"));
     EXPECT_NO_THROW(make(crossing, "caps"));
-    EXPECT_NO_THROW(make(crossing, "bridges"));
     expectError(
         ErrorCode::badData,
         [&] {
@@ -264,10 +231,9 @@ TEST(BedSettings, AreRefusedWhereTheyMakeNoSense)
 {
     BedSettings settings;
     constexpr const char* kUnknown = "there is no treatment of contacts";
-    constexpr const char* kMalformed = "write none, shrink:FACTOR, caps:GAP or bridges:RADIUS,GAP";
+    constexpr const char* kMalformed = "write none, shrink:FACTOR or caps:GAP";
     constexpr const char* kFactor = "a factor above 0 and below 1";
-    constexpr const char* kGap = "gap of caps and bridges must be from 0.0001 to 0.2 radii";
-    constexpr const char* kRadius = "radius of bridges must be from 0.01 to 0.5 radii";
+    constexpr const char* kGap = "gap of caps must be from 0.0001 to 0.2 radii";
     for (const auto& [text, says] : {std::pair("shrinks", kUnknown),
                                      {"", kUnknown},
                                      {"shrink:", kMalformed},
@@ -275,17 +241,13 @@ TEST(BedSettings, AreRefusedWhereTheyMakeNoSense)
                                      {"none:1", kMalformed},
                                      {"caps:x", kMalformed},
                                      {"caps:0.02 ", kMalformed},
-                                     {"bridges:0.2,", kMalformed},
-                                     {"bridges:0.2,0.02,1", kMalformed},
+                                     {"bridges:0.2", kUnknown},
                                      {"shrink:1", kFactor},
                                      {"shrink:0", kFactor},
                                      {"shrink:-1", kFactor},
                                      {"shrink:nan", kFactor},
                                      {"caps:0", kGap},
-                                     {"caps:0.5", kGap},
-                                     {"bridges:0.2,0.5", kGap},
-                                     {"bridges:0", kRadius},
-                                     {"bridges:0.6", kRadius}})
+                                     {"caps:0.5", kGap}})
     {
         SCOPED_TRACE(text);
         expectError(
@@ -303,8 +265,8 @@ TEST(BedSettings, AreRefusedWhereTheyMakeNoSense)
     refused({.cell = 0}, "cell");
     refused({.cell = std::nan("")}, "cell");
     refused({.threads = -1}, "threads");
-    parseContacts("bridges:0.3,0.05", settings);
-    EXPECT_EQ(settings.bridge, 0.3);
+    parseContacts("caps:0.05", settings);
+    EXPECT_EQ(settings.contacts, ContactTreatment::caps);
     EXPECT_EQ(settings.gap, 0.05);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 

@@ -55,6 +55,7 @@ TEST(SetTable, TellsMillisecondsAStepWhenNothingIsDrawn)
     EXPECT_EQ(rows[0].frames, 0u);
     EXPECT_DOUBLE_EQ(rows[0].spherePolygonMs, 1);
     EXPECT_DOUBLE_EQ(rows[0].framesPerSecond, 4 / 0.006);
+    EXPECT_EQ(formatSetTable(rows), "") << "frames a second are for those who draw";
 }
 
 TEST(SetTable, SharesRowsWhenThereAreManySets)

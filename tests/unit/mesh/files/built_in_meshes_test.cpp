@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "unit/mesh/mesh_samples.hpp"
 
+#include <frostfill/scene.hpp>
+
 #include <cmath>
+#include <numbers>
 
 namespace frostfill
 {
@@ -42,6 +45,57 @@ INSTANTIATE_TEST_SUITE_P(Paper, BuiltInMesh,
                                          Expected{"cube", 386, 768, 0, {2, 2, 2}},
                                          Expected{"human", 1111, 2218, 0, {1.187, 1.8, 0.313}}),
                          [](const auto& object) { return std::string(object.param.name); });
+
+TEST(BuiltInContainer, HasTheVolumeAndTheAreaOfItsShape)
+{
+    constexpr double kPi = std::numbers::pi;
+    // Of regular polygons with as many sides as a container has, over circles.
+    const double sides = 128;
+    const double inArea = sides / (2 * kPi) * std::sin(2 * kPi / sides);
+    const double inLength = sides / kPi * std::sin(kPi / sides);
+    const double slant = std::hypot(0.75 * std::cos(kPi / sides), 1); // of a face of the cone
+    struct Case
+    {
+        const char* name;
+        double volume, ends, walls;
+    };
+    const std::vector<Case> cases = {
+        {"box:2,3,4", 24 / inArea, 52 / inArea, 0},
+        {"cylinder:1,4", 4 * kPi, 2 * kPi, 8 * kPi},
+        {"annulus:2,0.5,3", 3 * kPi * 3.75, 2 * kPi * 3.75, 3 * kPi * 5},
+        {"hopper:1,2,0.25,1", kPi * (2 + (1 + 0.25 + 0.0625) / 3), kPi * 1.0625,
+         4 * kPi + kPi * 1.25 * slant}};
+    for (const Case& one : cases)
+    {
+        SCOPED_TRACE(one.name);
+        const LoadedMesh loaded = loadMesh(one.name);
+        EXPECT_TRUE(loaded.repairs.empty());
+        EXPECT_NEAR(loaded.report.volume, inArea * one.volume, 1e-12 * one.volume);
+        EXPECT_NEAR(loaded.report.area, inArea * one.ends + inLength * one.walls, 1e-10);
+        EXPECT_EQ(loaded.report.box.min().y(), 0);
+        EXPECT_GT(inspectMesh(builtInMesh(one.name)).volume, 0) << "wound inwards";
+        EXPECT_EQ(presetScene(Preset::fast, one.name).name,
+                  std::string(one.name).substr(0, std::string(one.name).find(':')));
+    }
+    EXPECT_EQ(loadMesh("annulus:2,0.5,3").report.genus, 1);
+}
+
+TEST(BuiltInContainer, IsRefusedWithoutItsLengthsAndSaysHowToWriteIt)
+{
+    for (const char* name : {"cylinder:1", "cylinder:1,2,3", "cylinder:1,-2", "cylinder:1,x",
+                             "cylinder:1,2m", "cylinder:,", "cylinder:1,inf"})
+    {
+        test::expectRefused(ErrorCode::badData, "write cylinder:RADIUS,HEIGHT",
+                            [&] { (void)builtInMesh(name); });
+    }
+    test::expectRefused(ErrorCode::badData, "INNER less than OUTER",
+                        [] { (void)builtInMesh("annulus:1,1,3"); });
+    test::expectRefused(ErrorCode::badData, "OUTLET less than RADIUS",
+                        [] { (void)builtInMesh("hopper:1,2,1.5,1"); });
+    EXPECT_FALSE(isBuiltInMesh("cone:1,2"));
+    test::expectRefused(ErrorCode::inputMissing, "hopper:RADIUS,HEIGHT,OUTLET,CONE",
+                        [] { (void)loadMesh("cone:1,2"); });
+}
 
 /// Whether the segment from p to q passes through the triangle's inside.
 bool pierces(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const TriangleMesh& mesh,

@@ -198,7 +198,9 @@ TEST(Lids, KeepAWallWithinAsAnObstacle)
     }
     test::expectRefused(ErrorCode::badData, "shared by more than two triangles",
                         [&] { (void)repairMesh(mesh, "box"); });
-    test::expectRefused(ErrorCode::badData, "give --lid or --wrap auto, or remove inner walls",
+    test::expectRefused(ErrorCode::badData,
+                        "give --lid (frostfill fill box --lid) or --wrap auto, or remove inner "
+                        "walls",
                         [&] { (void)repairMesh(mesh, "box"); });
     const LoadedMesh loaded = repairMesh(mesh, "box", kLid);
     EXPECT_EQ(repairsWith(loaded, "doubled 8 triangles of walls within"), 1U);
@@ -275,7 +277,7 @@ TEST(Lids, MakeNoEnvelopeOfASheet)
 
 TEST(Lids, AreNamedByARefusalOnlyIfTheyHelp)
 {
-    test::expectRefused(ErrorCode::badData, "% of the surface); give --lid, or close it",
+    test::expectRefused(ErrorCode::badData, "% of the surface); give --lid (frostfill fill",
                         [] { (void)repairMesh(openBox(), "box"); });
     TriangleMesh wall = openBox();
     std::erase_if(wall.triangles,

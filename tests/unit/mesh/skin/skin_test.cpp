@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/skin/enclosed_cells.hpp"
 #include "mesh/skin/wrap_program.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
@@ -39,25 +38,20 @@ public:
     WrapProgram& operator=(const WrapProgram&) = delete;
 };
 
-TEST(EnclosedCells, AreInAClosedBoxAndBehindASlit)
+TEST(Skin, IsOfferedOnlyWhereTheProgramIs)
 {
-    EXPECT_TRUE(enclosesRoom(builtInMesh("cube"), 0.1));
-    TriangleMesh slit = shapes::box(kLow, kHigh, 20);
-    slit.triangles.erase(slit.triangles.begin() + 100, slit.triangles.begin() + 110); // 0.1 wide
-    EXPECT_TRUE(enclosesRoom(slit, 0.1));
-}
-
-TEST(EnclosedCells, AreNotInAnOpenBoxOrOnASheet)
-{
-    EXPECT_FALSE(enclosesRoom(boxWithoutLid(), 0.1));
-    const TriangleMesh sheet = {{{0, 0, 0}, {1, 0, 0.3}, {1, 1, 0}, {0, 1, 0.3}},
-                                {{0, 1, 2}, {0, 2, 3}}};
-    EXPECT_FALSE(enclosesRoom(sheet, 0.02));
-}
-
-TEST(EnclosedCells, AreNotSoughtWhereThereWouldBeTooMany)
-{
-    EXPECT_FALSE(enclosesRoom(builtInMesh("cube"), 1e-4));
+    for (const auto& [program, offers] : {std::pair{"/bin/true", true}, {"/nowhere/wrap", false}})
+    {
+        const WrapProgram given(program);
+        const auto refusal = test::errorOf([] { (void)repairMesh(boxWithoutLid(), "tub.obj"); });
+        ASSERT_TRUE(refusal);
+        const std::string text = refusal->what();
+        EXPECT_EQ(text.find("give --lid (frostfill fill tub.obj --lid) or --wrap, or ") !=
+                      std::string::npos,
+                  offers)
+            << text;
+        EXPECT_EQ(text.find("--wrap") != std::string::npos, offers) << text;
+    }
 }
 
 TEST(Skin, NeedsAProgramAndSaysHowToGetIt)

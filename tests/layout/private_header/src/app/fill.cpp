@@ -1,4 +1,4 @@
-#include "output/atomic_file.hpp"
+#include "output/video.hpp"
 
 #include <frostfill/fill.hpp>
 #include <frostfill/simulation.hpp>

@@ -73,16 +73,14 @@ void refuseBrokenChunks(std::string_view bytes)
 
 /// Assimp has some fifty readers and also chooses by content. All unused readers are removed, so a
 /// rarely tested one never sees a file.
-void removeOtherImporters(Assimp::Importer& importer)
+void removeOtherImporters(Assimp::Importer& importer, std::string_view ending)
 {
     for (std::size_t i = importer.GetImporterCount(); i-- > 0;)
     {
         Assimp::BaseImporter* reader = importer.GetImporter(i);
         std::set<std::string> extensions;
         reader->GetExtensionList(extensions);
-        const bool wanted = std::any_of(extensions.begin(), extensions.end(),
-                                        [](const auto& e) { return e == "gltf" || e == "glb"; });
-        if (wanted)
+        if (extensions.count(std::string(ending)) > 0)
         {
             continue;
         }
@@ -192,13 +190,17 @@ private:
 
 } // namespace
 
-TriangleMesh readGltf(const std::filesystem::path& file, std::string_view bytes)
+TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes,
+                       std::string_view ending)
 {
-    refuseExtensions(bytes);
-    refuseBrokenChunks(bytes);
+    if (ending == "gltf")
+    {
+        refuseExtensions(bytes);
+        refuseBrokenChunks(bytes);
+    }
     Assimp::Importer importer;
     importer.SetIOHandler(new OneFileIo(file)); // assimp takes ownership
-    removeOtherImporters(importer);
+    removeOtherImporters(importer, ending);
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr)
     {

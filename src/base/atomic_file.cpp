@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "output/atomic_file.hpp"
+#include "base/atomic_file.hpp"
 
 #include "base/posix_file.hpp"
 
@@ -24,16 +24,17 @@ constexpr std::size_t kBlock = std::size_t{1} << 16;
 
 } // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path file) : file_(std::move(file)), part_(file_)
+AtomicFile::AtomicFile(std::filesystem::path file, std::string_view unfinished)
+    : file_(std::move(file)), part_(file_)
 {
-    part_ += ".part";
+    part_ += unfinished;
     // What a killed run has left goes, and nothing is written through a symbolic link.
     unlink(part_.c_str());
     descriptor_ = createNewFile(part_);
     if (descriptor_ < 0)
     {
         throw Error(ErrorCode::cannotCreate,
-                    fmt::format("cannot create {}: {}", part_.string(), std::strerror(errno)));
+                    fmt::format("cannot create {}: {}", file_.string(), std::strerror(errno)));
     }
 }
 
@@ -77,12 +78,12 @@ void AtomicFile::put(std::string_view bytes) const
         writeAll(descriptor_, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}));
 }
 
-void AtomicFile::commit()
+void AtomicFile::commit(bool waits)
 {
     flush();
     // A name that survives a power failure must not survive its content. A full disk may become
     // apparent only when the file is closed.
-    check(syncFile(descriptor_));
+    check(waits ? syncFile(descriptor_) : 0);
     check(closeFile(std::exchange(descriptor_, -1)));
     check(std::rename(part_.c_str(), file_.c_str()) != 0 ? errno : 0);
     part_.clear();
@@ -92,8 +93,16 @@ void AtomicFile::check(int error) const
 {
     if (error != 0)
     {
-        throw Error(ErrorCode::writeFailed, writeFailure(file_, error, written_));
+        throw Error(error == EISDIR ? ErrorCode::cannotCreate : ErrorCode::writeFailed,
+                    writeFailure(file_, error, written_));
     }
+}
+
+void saveBytes(std::span<const std::uint8_t> bytes, const std::filesystem::path& file)
+{
+    AtomicFile out(file, fmt::format(".{}.tmp", getpid()));
+    out.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    out.commit(false);
 }
 
 void createDirectory(const std::filesystem::path& directory)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Room: files that a run writes: frames, video, CSV, JSON. A file appears under its name only
-// when it is complete.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,7 +17,7 @@ class AtomicFile
 {
 public:
     /// Throws Error cannotCreate.
-    explicit AtomicFile(std::filesystem::path file);
+    explicit AtomicFile(std::filesystem::path file) : AtomicFile(std::move(file), ".part") {}
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -25,10 +25,13 @@ public:
     /// Throws Error writeFailed, for instance on a full disk.
     void write(std::string_view text);
 
-    /// Throws Error writeFailed.
-    void commit();
+    /// Throws Error writeFailed, and cannotCreate where a folder has the name.
+    void commit() { commit(true); }
 
 private:
+    friend void saveBytes(std::span<const std::uint8_t>, const std::filesystem::path&);
+    AtomicFile(std::filesystem::path file, std::string_view unfinished);
+    void commit(bool waits);
     void flush();
     void put(std::string_view bytes) const;
     void check(int error) const;
@@ -39,6 +42,10 @@ private:
     std::string waiting_;     ///< not given to the system yet
     std::size_t written_ = 0; ///< bytes in all
 };
+
+/// Writes a whole file, as AtomicFile does, without waiting for the disk: pictures are many. Each
+/// process has an unfinished file of its own, so two may write the same picture.
+void saveBytes(std::span<const std::uint8_t> bytes, const std::filesystem::path& file);
 
 /// Creates `directory` and its missing parents. Throws Error cannotCreate.
 void createDirectory(const std::filesystem::path& directory);

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/files/containers.hpp"
+
+#include <frostfill/error.hpp>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+namespace frostfill
+{
+namespace
+{
+
+using ProfilePoint = std::array<double, 2>; ///< distance from the axis, and height
+
+/// Sweeps a profile about the y axis. Its points go up on the outside: the material side, which is
+/// free, lies to the left. Points on the axis become one vertex.
+TriangleMesh revolve(std::span<const ProfilePoint> profile, bool isRing)
+{
+    TriangleMesh mesh;
+    std::vector<std::uint32_t> starts;
+    for (const auto& [radius, height] : profile)
+    {
+        starts.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
+        for (std::uint32_t k = 0; k < (radius > 0 ? kContainerSides : 1); ++k)
+        {
+            const double angle = 2 * std::numbers::pi * k / kContainerSides;
+            mesh.vertices.emplace_back(radius * std::cos(angle), height, radius * std::sin(angle));
+        }
+    }
+    const std::size_t bands = profile.size() - (isRing ? 0 : 1);
+    for (std::size_t band = 0; band < bands; ++band)
+    {
+        const std::size_t above = (band + 1) % profile.size();
+        const auto at = [&](std::size_t point, std::uint32_t k)
+        { return starts[point] + (profile[point][0] > 0 ? k % kContainerSides : 0); };
+        for (std::uint32_t k = 0; k < kContainerSides; ++k)
+        {
+            if (profile[band][0] > 0)
+            {
+                mesh.triangles.push_back({at(band, k), at(above, k), at(band, k + 1)});
+            }
+            if (profile[above][0] > 0)
+            {
+                mesh.triangles.push_back({at(above, k), at(above, k + 1), at(band, k + 1)});
+            }
+        }
+    }
+    return mesh;
+}
+
+TriangleMesh boxMesh(double width, double height, double depth)
+{
+    TriangleMesh mesh;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+        mesh.vertices.emplace_back(((corner & 1) - 0.5) * width, ((corner >> 1) & 1) * height,
+                                   ((corner >> 2) - 0.5) * depth);
+    }
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 4, 2}, {2, 4, 6},
+                      {1, 3, 5}, {3, 7, 5}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}};
+    return mesh;
+}
+
+/// Empty unless they are as many as the shape has, each above 0.
+std::vector<double> lengthsOf(const ContainerShape& shape, std::string_view text)
+{
+    std::vector<double> lengths;
+    const char* at = text.data() + shape.name.size();
+    const char* const end = text.data() + text.size();
+    while (at != end && (*at == ':' || *at == ','))
+    {
+        const auto [stop, error] = std::from_chars(at + 1, end, lengths.emplace_back());
+        at = error == std::errc() ? stop : end;
+    }
+    const auto isLength = [](double length) { return length > 0 && std::isfinite(length); };
+    const bool areGood = at == end && lengths.size() == shape.lengths &&
+                         std::all_of(lengths.begin(), lengths.end(), isLength);
+    return areGood ? lengths : std::vector<double>();
+}
+
+} // namespace
+
+const ContainerShape* findContainer(std::string_view text)
+{
+    const std::size_t colon = text.find(':');
+    const auto found =
+        std::find_if(kContainers.begin(), kContainers.end(),
+                     [&](const ContainerShape& shape)
+                     { return colon != text.npos && shape.name == text.substr(0, colon); });
+    return found == kContainers.end() ? nullptr : &*found;
+}
+
+TriangleMesh containerMesh(const ContainerShape& shape, std::string_view text)
+{
+    const std::vector<double> size = lengthsOf(shape, text);
+    const bool isNarrower = shape.name == "annulus"  ? size.size() > 1 && size[1] < size[0]
+                            : shape.name == "hopper" ? size.size() > 2 && size[2] < size[0]
+                                                     : !size.empty();
+    if (!isNarrower)
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' is no container: write {} with lengths above 0{}", text,
+                                shape.form,
+                                shape.name == "annulus"  ? ", and INNER less than OUTER"
+                                : shape.name == "hopper" ? ", and OUTLET less than RADIUS"
+                                                         : ""));
+    }
+    if (shape.name == "box")
+    {
+        return boxMesh(size[0], size[1], size[2]);
+    }
+    if (shape.name == "cylinder")
+    {
+        return revolve(
+            std::array<ProfilePoint, 4>{{{0, 0}, {size[0], 0}, {size[0], size[1]}, {0, size[1]}}},
+            false);
+    }
+    if (shape.name == "annulus")
+    {
+        return revolve(
+            std::array<ProfilePoint, 4>{
+                {{size[1], 0}, {size[0], 0}, {size[0], size[2]}, {size[1], size[2]}}},
+            true);
+    }
+    const double top = size[3] + size[1];
+    return revolve(
+        std::array<ProfilePoint, 5>{
+            {{0, 0}, {size[2], 0}, {size[0], size[3]}, {size[0], top}, {0, top}}},
+        false);
+}
+
+} // namespace frostfill
