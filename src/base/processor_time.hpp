@@ -13,10 +13,8 @@ namespace frostfill
 class ProcessorClock
 {
 public:
-    /// [s] since this was made, less what was left out.
+    /// [s] since this was made.
     [[nodiscard]] double seconds() const { return now() - start_; }
-    /// What has passed since `since` does not count.
-    void leaveOut(double since) { start_ += now() - since; }
     [[nodiscard]] static double now()
     {
         timespec time{};

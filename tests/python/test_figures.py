@@ -130,6 +130,36 @@ class Figures(unittest.TestCase):
             panels = style.read_picture(RECORDED / f"{name}-panels.png")
             self.assertTrue((image.get_array()[:, :, :3] == panels).all())
 
+    def test_states_have_the_colours_of_the_style_paper(self):
+        import frostfill
+        options = frostfill.Simulation("cube", count=1, style="paper").options
+        self.assertEqual(style.STATES, {state: options["colour_" + state] for state in style.STATES})
+        self.assertTrue(options["colour_discarded_polygon"].startswith(style.DISCARDED_POLYGON))
+
+    def test_pairs_of_groups_and_sections_are_measured_as_geometry_says(self):
+        from types import SimpleNamespace
+
+        from figures import interaction, runs
+        # Two groups of three: the first frozen, the second running.
+        state = SimpleNamespace(groups=[0, 0, 0, 1, 1, 1], states=numpy.array([1, 1, 1, 0, 0, 0]))
+        self.assertEqual(runs.pairs_of_groups(state),
+                         [(1, 1, "none", 0), (1, 2, "frozen", 9), (2, 2, "running", 3)])
+        # A plane 0.6 from the centre of a unit sphere cuts it in a circle of 0.8.
+        plane = interaction.Plane((9, 0, 0), (1, 0, 0), (0, 1, 0), 2)
+        spheres = SimpleNamespace(centres=numpy.array([[10, 0, 0.6], [10, 3, 5]]),
+                                  radii=numpy.ones(2), states=[1, 0])
+        self.assertEqual(interaction.circles(spheres, plane), [("frozen", "0.50000", "0.00000", "0.40000")])
+        cube = runs.frostfill.Simulation("cube", count=1)
+        plane = interaction.Plane((0, 0, 0.1), (1, 0, 0), (0, 1, 0), 1)
+        rows = interaction.traces(cube.vertices, cube.triangles, numpy.zeros(len(cube.triangles)), plane)
+        self.assertAlmostEqual(sum(math.hypot(float(dx), float(dy)) for *_, dx, dy in rows), 8, places=3)
+
+    def test_measuring_gives_what_is_recorded(self):
+        with tempfile.TemporaryDirectory() as folder:
+            figures.figure("closeness").measure(pathlib.Path(folder), False)
+            measured = pathlib.Path(folder, "closeness.csv").read_text()
+        self.assertEqual(measured, (RECORDED / "closeness.csv").read_text())
+
     def test_the_front_is_what_no_rival_beats_in_both_ways(self):
         front = tables.pareto_front([1, 2, 2, 3], [5, 3, 4, math.inf])
         self.assertEqual(list(front), [True, True, False, False])

@@ -171,7 +171,8 @@ def layers(runs, quick):
                 continue
             run, seconds = _timed(lambda: runs.finished(
                 None, vertices=vertices, triangles=cube.triangles, radius=0.5, count=None, restitution=0,
-                freeze_by_set=by_set, group_size=size, groups_per_set=1, threads=1))
+                freezing_rule="by-set" if by_set else "one-by-one", group_size=size, groups_per_set=1,
+                threads=1))
             state, quality = run.snapshot(), run.quality()
             found = runs.frostfill.analyse(state.centres, state.radii, run.vertices, run.triangles, gap=0.02,
                                            only=["porosity", "contacts"])

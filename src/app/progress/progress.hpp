@@ -53,7 +53,7 @@ private:
     std::uint64_t calls_ = 0;
 };
 
-/// Shows the progress of a study: parts done, all parts, and the time left.
+/// Shows the progress of work in parts: parts done, all parts, and the time left.
 class TaskBar
 {
 public:
