@@ -43,7 +43,7 @@ std::string optionsThatHelp(const TriangleMesh& mesh, std::string_view name,
                             const LoadMeshOptions& given)
 {
     const bool lids = !given.lid && lidsHelp(mesh);
-    const bool skin = !given.wrap && enclosesRoom(mesh, automaticAlpha(mesh));
+    const bool skin = !given.wrap && findWrapProgram().has_value();
     const char* quote = name.find(' ') == std::string_view::npos ? "" : "'";
     const std::string lid =
         lids ? fmt::format("--lid (frostfill fill {0}{1}{0} --lid)", quote, name) : "";
