@@ -27,6 +27,7 @@ function colourSpheres(film, by, look, colours) {
     group: (id) => fromScale(film.values.group[id]),
     speed: (id) => kScale[film.values.speed[id]],
     height: (id) => fromScale(height(film, id)),
+    radius: (id) => fromScale(facts.film.radius_step * film.values.radius[id]),
   }[by] ?? ((id) => fromScale(film.values[by][id]));
   for (let id = 0; id < film.spheres; ++id) {
     const state = film.states[id];

@@ -69,7 +69,9 @@ RunHead headOf(const ImportRequest& request, const Survey& survey, const Triangl
     head.stride = strideFor(steps + 1, scene.frames.limit, true);
     MeshReport report;
     report.box = boundingBox(mesh);
-    head.colours = {static_cast<double>(survey.groups), fallTime(scene, report)};
+    head.colours = {static_cast<double>(survey.groups),
+                    fallTime(scene, report),
+                    {survey.smallestRadius, survey.largestRadius}};
     head.interval =
         steps > 1 ? (survey.times.back() - survey.times.front()) / static_cast<double>(steps - 1)
                   : 0;

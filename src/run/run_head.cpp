@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -59,7 +60,9 @@ ColourFacts colourFacts(const Scene& scene, const Simulation& simulation)
 {
     const auto spheres = static_cast<double>(simulation.expectedSpheres());
     const auto group = static_cast<double>(simulation.groupSize());
-    return {std::max(1.0, std::ceil(spheres / group)), fallTime(scene, simulation.object())};
+    return {std::max(1.0, std::ceil(spheres / group)),
+            fallTime(scene, simulation.object()),
+            {simulation.smallestRadius(), simulation.radius()}};
 }
 
 ColourRange colourRange(const Scene& scene, const ColourFacts& facts)
@@ -73,8 +76,8 @@ ColourRange colourRange(const Scene& scene, const ColourFacts& facts)
         return {0, std::max(1.0, facts.groups - 1)};
     case ColumnScale::fall:
         return {0, scene.motion.gravity * facts.fallSeconds};
-    default:
-        return {}; // the renderer knows
+    default: // of what else has no scale of its own, the renderer knows the range
+        return column != nullptr && column->name == "radius" ? facts.radii : ColourRange{};
     }
 }
 
@@ -95,6 +98,7 @@ std::string headText(const RunHead& head)
     json["video"] = head.video;
     json["groups"] = head.colours.groups;
     json["fall_seconds"] = head.colours.fallSeconds;
+    json["radii"] = {head.colours.radii.low, head.colours.radii.high};
     json["frame_interval"] = head.interval < kNever ? Json(head.interval) : Json();
     json["stride"] = head.stride;
     json["poses"] = Json::array();
@@ -127,7 +131,10 @@ RunHead readHead(const std::string& text, const std::string& nameForMessages)
         head.repairs = json.at("repairs").get<std::vector<std::string>>();
         head.lidTriangles = json.value("lid_triangles", std::size_t{0});
         head.video = json.at("video").get<std::string>();
-        head.colours = {json.at("groups").get<double>(), json.at("fall_seconds").get<double>()};
+        const auto radii = json.value("radii", std::array{0.0, 1.0}); // runs before 0.3 have none
+        head.colours = {json.at("groups").get<double>(),
+                        json.at("fall_seconds").get<double>(),
+                        {radii[0], radii[1]}};
         const Json& interval = json.at("frame_interval");
         head.interval = interval.is_null() ? kNever : interval.get<double>();
         head.stride = std::max<std::size_t>(1, json.at("stride").get<std::size_t>());

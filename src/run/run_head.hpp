@@ -15,6 +15,7 @@ struct ColourFacts
 {
     double groups = 1;      ///< that are expected
     double fallSeconds = 0; ///< of a fall through the object
+    ColourRange radii = {}; ///< [mesh unit] the smallest and the largest
 };
 
 [[nodiscard]] ColourFacts colourFacts(const Scene& scene, const Simulation& simulation);

@@ -116,6 +116,39 @@ void addPicture(TableBuilder& table)
                          scene.style.colourBy = std::get<std::string>(value);
                          return true;
                      }});
+    // One colour for the spheres of all states; it sets the three of the palette.
+    table.add(Option{.key = "picture.colour",
+                     .flag = "--colour",
+                     .group = table.group(),
+                     .help = "One colour for all spheres: #RRGGBB, or orange, skyblue, green, "
+                             "yellow, blue, vermilion, purple, grey ...",
+                     .placeholder = "NAME|#RRGGBB",
+                     .form = "by-state, a name such as orange, or #RRGGBB",
+                     .get =
+                         [](const Scene& scene)
+                     {
+                         const Palette& palette = scene.style.palette;
+                         const bool isOne = palette.running == palette.frozen &&
+                                            palette.frozen == palette.discarded;
+                         return isOne ? colourText(palette.frozen) : std::string("by-state");
+                     },
+                     .set =
+                         [](Scene& scene, const OptionValue& value)
+                     {
+                         const auto& text = std::get<std::string>(value);
+                         Palette& palette = scene.style.palette;
+                         Colour colour = palette.frozen;
+                         if (text == "by-state")
+                         {
+                             return true;
+                         }
+                         const bool isColour = readColour(text, colour);
+                         if (isColour)
+                         {
+                             palette.running = palette.frozen = palette.discarded = colour;
+                         }
+                         return isColour;
+                     }});
     table.add("picture.cutaway", "--cutaway",
               "Cut open: remove what is beyond a plane or in a wedge [degree]",
               FROSTFILL_FIELD(style.cutaway));

@@ -30,6 +30,20 @@ std::vector<double> numbersIn(std::string_view text)
 constexpr std::array<std::pair<std::string_view, bool Passes::*>, 3> kPasses = {
     {{"depth", &Passes::depth}, {"normal", &Passes::normal}, {"identity", &Passes::identity}}};
 
+/// Of the palette that every kind of colour vision tells apart [Okabe & Ito 2008], and three greys.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kColourNames = {{
+    {"black", "#000000"},
+    {"grey", "#808080"},
+    {"white", "#ffffff"},
+    {"orange", "#e69f00"},
+    {"skyblue", "#56b4e9"},
+    {"green", "#009e73"},
+    {"yellow", "#f0e442"},
+    {"blue", "#0072b2"},
+    {"vermilion", "#d55e00"},
+    {"purple", "#cc79a7"},
+}};
+
 } // namespace
 
 std::string colourText(const Colour& colour)
@@ -44,6 +58,10 @@ bool readColour(std::string_view text, Colour& colour)
     {
         colour[3] = 0; // what lies on it goes on fading to the colour and is edged for it
         return true;
+    }
+    for (const auto& [name, code] : kColourNames)
+    {
+        text = text == name ? code : text;
     }
     if ((text.size() != 7 && text.size() != 9) || text[0] != '#')
     {
