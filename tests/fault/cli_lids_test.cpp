@@ -122,7 +122,7 @@ TEST_F(OpenMeshes, TheCommandMeshTellsWhatEachOptionWouldDo)
               std::string::npos)
         << open.output;
     EXPECT_NE(open.output.find(
-                  "with --wrap auto                   the program frostfill-wrap is missing"),
+                  "with --wrap auto                    the program frostfill-wrap is missing"),
               std::string::npos)
         << open.output;
 

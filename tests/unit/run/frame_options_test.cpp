@@ -30,7 +30,7 @@ TEST(FrameOptions, TheLastFrameAloneIsHeldAndTurnedWithoutTheFall)
     request.scene.frames.selection = "last";
     request.scene.camera.turntable = 0.4;
     request.scene.frames.passes.depth = true;
-    request.contactSheet = true;
+    request.scene.frames.contactSheet = true;
     const FillResult result = fill(request);
     EXPECT_EQ(result.frames, 12U) << "one turn";
     const std::string state = test::stateOf(nlohmann::json::parse(result.summary));

@@ -128,7 +128,7 @@ TEST_F(RenderShards, TellWhichPicturesAreNotThereUntilTheyAre)
                                std::filesystem::copy_options::overwrite_existing);
     RenderRequest look = into("parts");
     look.gather = true;
-    look.contactSheet = true;
+    look.change = [](Scene& scene) { scene.frames.contactSheet = true; };
     RenderResult gathered = renderRun(look);
     EXPECT_EQ(gathered.missing, (std::vector<std::size_t>{2, 5}));
     EXPECT_EQ(gathered.allFrames, half + rest);
@@ -162,7 +162,7 @@ TEST_F(RenderShards, RefuseWhatOnlyOneProcessCanDo)
     expectError(
         ErrorCode::usage, [&] { (void)renderRun(part); }, "--overwrite");
     part.overwrite = false;
-    part.contactSheet = true;
+    part.change = [](Scene& scene) { scene.frames.contactSheet = true; };
     expectError(
         ErrorCode::usage, [&] { (void)renderRun(part); }, "--gather makes the contact sheet");
     RenderRequest look = into("nowhere");
