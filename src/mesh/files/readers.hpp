@@ -28,7 +28,7 @@ namespace frostfill
 [[nodiscard]] bool hasSizeOfBinaryStl(std::string_view bytes);
 
 /// Scenes, whose numbers are single precision, by assimp: glTF 2.0 and GLB, with .bin files beside
-/// them, COLLADA, FBX, X3D and 3MF. `ending`: gltf, dae, fbx, x3d or 3mf, whatever the name says;
+/// them, COLLADA, FBX, X3D and 3MF. `ending`: gltf, dae, fbx, x3d or 3mf, as assimp knows them;
 /// `bytes` are the file's, to say what it needs that no one here can read.
 [[nodiscard]] TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes,
                                      std::string_view ending);
