@@ -12,8 +12,8 @@
 namespace frostfill::python
 {
 
-/// What an option is called as a keyword: "--color-by" is color_by, and the key motion.dt, which has
-/// no flag, is motion_dt.
+/// What an option is called as a keyword: "--color-by" is color_by, and the key motion.dt, which
+/// has no flag, is motion_dt.
 [[nodiscard]] std::string keywordOf(const Option& option);
 
 /// The values that a call gives by keyword, read while the interpreter is held and set while it

@@ -43,10 +43,10 @@ struct OptionRange
 /// command line, its help, docs/options.md and summary.json come from it.
 struct Option
 {
-    std::string key = {};        ///< in scene files: "spheres.radius"
-    std::string flag = {};       ///< on the command line: "--radius"; empty for --set alone
-    std::string group = {};      ///< heading in the help
-    std::string help = {};       ///< one line, with the unit
+    std::string key = {};               ///< in scene files: "spheres.radius"
+    std::string flag = {};              ///< on the command line: "--radius"; empty for --set alone
+    std::string group = {};             ///< heading in the help
+    std::string help = {};              ///< one line, with the unit
     OptionType type = OptionType::text; ///< of the value, if there is one
     std::string nothing = {}; ///< the word for no value ("auto"); empty if a value is required
     std::string placeholder = "TEXT";      ///< of a text in the help

@@ -39,10 +39,11 @@ void requireMemory()
     if (!asked.exchange(true) && !mayMap(kContextBytes))
     {
         asked = false;
-        throw Error(ErrorCode::outOfMemory,
-                    fmt::format("OpenGL takes some {} MiB, and the limit on the memory of this "
-                                "process leaves less; raise it (ulimit -v), or omit picture.backend",
-                                kContextBytes >> 20));
+        throw Error(
+            ErrorCode::outOfMemory,
+            fmt::format("OpenGL takes some {} MiB, and the limit on the memory of this "
+                        "process leaves less; raise it (ulimit -v), or omit picture.backend",
+                        kContextBytes >> 20));
     }
 }
 

@@ -27,12 +27,13 @@ void requireStep(const World& world)
     const double shortest = kShortestStep * unit;
     if (world.scene.motion.dt && *world.scene.motion.dt < shortest)
     {
-        throw Error(ErrorCode::usage,
-                    fmt::format("a time step (motion.dt) of {:.3g} s is too short for spheres of radius "
-                                "{:.3g}, which take {:.3g} s to fall by half of it: give {:.1g} s "
-                                "or more",
-                                *world.scene.motion.dt, world.frame.length * world.radii.smallest(),
-                                unit, 2 * shortest));
+        throw Error(
+            ErrorCode::usage,
+            fmt::format("a time step (motion.dt) of {:.3g} s is too short for spheres of radius "
+                        "{:.3g}, which take {:.3g} s to fall by half of it: give {:.1g} s "
+                        "or more",
+                        *world.scene.motion.dt, world.frame.length * world.radii.smallest(), unit,
+                        2 * shortest));
     }
 }
 

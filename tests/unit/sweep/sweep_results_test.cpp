@@ -82,9 +82,9 @@ seed = [1, 2, 3]
 
 TEST_F(SweepResults, GoOnFromTheFileOfARunThatWasKilled)
 {
-    SweepRequest sweep = request(
-        "[scene]\nobject.mesh = \"cube\"\nframes.which = \"none\"\nframes.keep_run = true\n"
-        "threads = 1\nspheres.radius = 0.4\n[sweep]\nseed = [1]\n");
+    SweepRequest sweep =
+        request("[scene]\nobject.mesh = \"cube\"\nframes.which = \"none\"\nframes.keep_run = true\n"
+                "threads = 1\nspheres.radius = 0.4\n[sweep]\nseed = [1]\n");
     (void)runSweep(sweep);
     std::filesystem::remove(folderOf(sweep.runs[0]) / "summary.json");
     std::vector<FillRequest> asked;
