@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lab/closed_forms.hpp"
 #include "lab/operations.hpp"
-#include "lab/peer_study.hpp"
 #include "lab/study.hpp"
 #include "lab/triangle_growth.hpp"
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "lab/peer_study.hpp"
-
 #include "base/processor_time.hpp"
-#include "lab/peer.hpp"
 #include "lab/pouring.hpp"
+#include "lab/program_peer.hpp"
+#include "lab/study.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
 

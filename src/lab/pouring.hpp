@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "lab/peer.hpp"
+#include "lab/program_peer.hpp"
 
 #include <cstdint>
 #include <vector>

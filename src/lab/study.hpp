@@ -6,6 +6,7 @@
 #include "fps/table.hpp"
 #include "lab/program_peer.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -37,6 +38,34 @@ struct RestPoint
 [[nodiscard]] std::vector<RestPoint>
 measureRest(bool quick, const std::vector<ProgramPeer>& engines, const LabProgress& progress);
 [[nodiscard]] Table restCsv(const std::vector<RestPoint>& points);
+
+/// One engine's run, judged by the checker that judges ours.
+struct PeerPoint
+{
+    std::string engine;
+    std::string setting;
+    bool ours = false;
+    double seconds = 0;   ///< of processor time, one thread
+    double simulated = 0; ///< [sqrt(r/g)]
+    bool atRest = false;
+    std::size_t missing = 0; ///< spheres that the engine has lost, or not poured before its limit
+    std::size_t outside = 0; ///< centres
+    double maxOverlap = 0;   ///< [r] between two spheres
+    double meanOverlap = 0;  ///< [r] over pairs that touch or overlap
+    double wallOverlap = 0;  ///< [r] between a sphere and the mesh
+    /// What the figure shows: the larger of both overlaps.
+    [[nodiscard]] double worst() const { return std::max(maxOverlap, wallOverlap); }
+};
+
+/// The cube of 768 triangles half full of spheres, 10,000 or 1,000 when quick: ours by each motion,
+/// and each engine at two time steps.
+[[nodiscard]] std::vector<PeerPoint>
+measurePeers(bool quick, const std::vector<ProgramPeer>& engines, const LabProgress& progress);
+
+/// How many times as long as ours with that motion the fastest other engine takes.
+[[nodiscard]] double peerRatio(const std::vector<PeerPoint>& points, const std::string& motion);
+
+[[nodiscard]] Table peersCsv(const std::vector<PeerPoint>& points);
 
 /// Cost of a step and of a sphere while the torus fills, by method.
 [[nodiscard]] Table measureClaim(bool quick, const LabProgress& progress);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "lab/lemmas.hpp"
+#include "lab/operations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/meshes.hpp"
-#include "lab/peer_study.hpp"
 #include "lab/rigid_body_run.hpp"
+#include "lab/study.hpp"
 
 #include <gtest/gtest.h>
 

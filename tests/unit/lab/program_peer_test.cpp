@@ -3,8 +3,8 @@
 #include "lab/program_peer.hpp"
 
 #include "lab/meshes.hpp"
-#include "lab/peer_study.hpp"
 #include "lab/pouring.hpp"
+#include "lab/study.hpp"
 #include "support/expect_error.hpp"
 #include "support/small_program.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "lab/peer.hpp"
 #include "lab/pouring.hpp"
+#include "lab/program_peer.hpp"
 #include "lab/study.hpp"
 
 #include <frostfill/packing.hpp>
