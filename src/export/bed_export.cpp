@@ -53,7 +53,7 @@ public:
         }
         Eigen::Vector3d up = Eigen::Vector3d::Unit(run_.up);
         up = frame.moved ? Eigen::Vector3d(frame.state.pose.rotation * up) : up;
-        if (format_ == ExportFormat::openFoam || format_ == ExportFormat::gmshBed)
+        if (format_ == ExportFormat::openFoam || format_ == ExportFormat::gmsh)
         {
             mesh = withoutHeadSpace(std::move(mesh), up, centres, radii);
         }
