@@ -210,7 +210,7 @@ Command addExportCommand(CLI::App& program)
     command
         ->add_option(
             "--measure", arguments->measured,
-            fmt::format("vtp, lammps-dump, xyz, glb, glb-instanced, ply, csv, npz: columns that "
+            fmt::format("vtp, lammps-dump, xyz, glb, glb-instanced, csv, npz: columns that "
                         "are found for spheres at rest, as by analyse: {}",
                         fmt::join(measuredNames(), ", ")))
         ->delimiter(',')

@@ -227,7 +227,7 @@ class WrongCalls(FolderCase):
             file.write_text(text)
             self.assertIn(said, self.refuse(read, file, columns=whole))
         file.write_bytes(bytes(40))
-        self.assertIn("byte 40", self.refuse(read, file))
+        self.assertIn("is not a text", self.refuse(read, file))
 
     def test_of_runs(self):
         run = frostfill.fill("cube", count=5, duration=0.5, frames_fps=10)

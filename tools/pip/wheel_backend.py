@@ -75,12 +75,12 @@ def bundle(staging):
         folder.mkdir(parents=True, exist_ok=True)
         copy = shutil.copy(source, folder / renamed[-1])
         run("patchelf", "--set-soname", renamed[-1], "--set-rpath", "$ORIGIN", copy)
-        # Debian knows the licence of each.
-        if not shutil.which("dpkg"):
-            continue
-        owner = output("dpkg", "-S", f"*/{pathlib.Path(source).resolve().name}").split(":")[0]
-        licences.mkdir(exist_ok=True)
-        shutil.copy(f"/usr/share/doc/{owner}/copyright", licences / f"{owner}.txt")
+        # Debian knows the licence of what is its own.
+        search = ["sh", "-c", 'dpkg -S "*/$0" 2>/dev/null', pathlib.Path(source).resolve().name]
+        owner = subprocess.run(search, check=False, capture_output=True, text=True).stdout.split(":")[0]
+        if owner:
+            licences.mkdir(exist_ok=True)
+            shutil.copy(f"/usr/share/doc/{owner}/copyright", licences / f"{owner}.txt")
     sites = [f"{lib}/python{sys.version_info.major}.{sys.version_info.minor}/{site}-packages"
              for lib in ("lib", "lib64") for site in ("site", "dist")]
     beside_bin = [f"$ORIGIN/../{site}/{LIBRARIES}" for site in ["lib/python3/dist-packages", *sites, "."]]
