@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bullet, by sequential impulses, as an engine of `frostfill-lab peers`. Without friction. Build it:
+// Bullet, by sequential impulses, as an engine of `frostfill-lab peers`. Without friction. Build
+// it:
 //     apt-get install libbullet-dev
 //     c++ -O2 -o bullet bullet.cpp $(pkg-config --cflags --libs bullet)
 // Then: frostfill-lab peers --peer Bullet=examples/peers/bullet
@@ -59,11 +60,13 @@ private:
     void addBody(btScalar mass, btCollisionShape* shape, const btVector3& place)
     {
         const btScalar inertia = mass * btScalar(0.4);
-        btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape, {inertia, inertia, inertia});
+        btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, shape,
+                                                      {inertia, inertia, inertia});
         info.m_startWorldTransform.setIdentity();
         info.m_startWorldTransform.setOrigin(place);
         info.m_friction = 0;
-        info.m_restitution = btScalar(std::sqrt(task_.restitution)); // of two Bullet takes the product
+        info.m_restitution =
+            btScalar(std::sqrt(task_.restitution)); // of two Bullet takes the product
         info.m_linearSleepingThreshold = btScalar(task_.still);
         info.m_angularSleepingThreshold = 1;
         bodies_.push_back(std::make_unique<btRigidBody>(info));

@@ -32,16 +32,18 @@ public:
         dMassSetSphereTotal(&mass_, 1, 1);
         for (const auto& v : task.vertices)
         {
-            corners_.insert(corners_.end(), {dReal(v[0]), dReal(v[1]), dReal(v[2]), 0}); // four numbers each
+            corners_.insert(corners_.end(),
+                            {dReal(v[0]), dReal(v[1]), dReal(v[2]), 0}); // four numbers each
         }
-        // ODE's triangles act on their front side alone: each is there twice, once from either side.
+        // ODE's triangles act on their front side alone: each is there twice, once from either
+        // side.
         for (const auto& t : task.triangles)
         {
             triangles_.insert(triangles_.end(), {t[0], t[1], t[2], t[0], t[2], t[1]});
         }
         mesh_ = dGeomTriMeshDataCreate();
-        dGeomTriMeshDataBuildSimple(mesh_, corners_.data(), int(task.vertices.size()), triangles_.data(),
-                                    int(triangles_.size()));
+        dGeomTriMeshDataBuildSimple(mesh_, corners_.data(), int(task.vertices.size()),
+                                    triangles_.data(), int(triangles_.size()));
         walls_ = dCreateTriMesh(nullptr, mesh_, nullptr, nullptr, nullptr);
     }
 
@@ -74,14 +76,15 @@ private:
     static void touch(void* self, dGeomID one, dGeomID other)
     {
         Ode& ode = *static_cast<Ode*>(self);
-        const int count = dCollide(one, other, kMostContacts, ode.found_.data(), sizeof(dContactGeom));
+        const int count =
+            dCollide(one, other, kMostContacts, ode.found_.data(), sizeof(dContactGeom));
         for (int k = 0; k < count; ++k)
         {
             dContact contact{};
             contact.surface = ode.surface_;
             contact.geom = ode.found_[std::size_t(k)];
-            dJointAttach(dJointCreateContact(ode.world_, ode.contacts_, &contact), dGeomGetBody(one),
-                         dGeomGetBody(other));
+            dJointAttach(dJointCreateContact(ode.world_, ode.contacts_, &contact),
+                         dGeomGetBody(one), dGeomGetBody(other));
         }
     }
 

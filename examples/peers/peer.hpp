@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The protocol of `frostfill-lab peers`, for engines in C++. docs/accuracy.md describes it. Lengths are
-// in radii of the spheres, times in sqrt(r/g); down is -y.
+// The protocol of `frostfill-lab peers`, for engines in C++. docs/accuracy.md describes it. Lengths
+// are in radii of the spheres, times in sqrt(r/g); down is -y.
 #pragma once
 
 #include <array>
@@ -39,15 +39,43 @@ inline Task readTask()
     Task task;
     for (std::string word; std::cin >> word && word != "start";)
     {
-        if (word == "frostfill-peer") { int version = 0; std::cin >> version; }
-        else if (word == "restitution") { std::cin >> task.restitution; }
-        else if (word == "friction") { std::cin >> task.friction; }
-        else if (word == "step") { std::cin >> task.step; }
-        else if (word == "bounce") { std::cin >> task.bounce; }
-        else if (word == "still") { std::cin >> task.still; }
-        else if (word == "spheres") { std::cin >> task.spheres; }
-        else if (word == "vertices") { readRows(task.vertices); }
-        else if (word == "triangles") { readRows(task.triangles); }
+        if (word == "frostfill-peer")
+        {
+            int version = 0;
+            std::cin >> version;
+        }
+        else if (word == "restitution")
+        {
+            std::cin >> task.restitution;
+        }
+        else if (word == "friction")
+        {
+            std::cin >> task.friction;
+        }
+        else if (word == "step")
+        {
+            std::cin >> task.step;
+        }
+        else if (word == "bounce")
+        {
+            std::cin >> task.bounce;
+        }
+        else if (word == "still")
+        {
+            std::cin >> task.still;
+        }
+        else if (word == "spheres")
+        {
+            std::cin >> task.spheres;
+        }
+        else if (word == "vertices")
+        {
+            readRows(task.vertices);
+        }
+        else if (word == "triangles")
+        {
+            readRows(task.triangles);
+        }
     }
     return task;
 }

@@ -37,7 +37,7 @@ constexpr RestMethod kRestMethods[] = {
     {"joint", "granular", Rest::joint, Motion::granular, true},
 };
 
-/// Judges places alone, whoever has found them: how many would move if nobody held anything.
+/// Judges centres alone, of any engine: the number of spheres that would move if all were let go.
 RestPoint judged(const PeerTask& task, const std::vector<Eigen::Vector3d>& places)
 {
     const std::vector<double> radii(places.size(), 1);
