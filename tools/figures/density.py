@@ -18,15 +18,15 @@ def measure(folder, quick):
     from . import runs
     seeds = 2 if quick else 5
     rows = []
-    for method, options in {"paper": {"preset": "paper", "discard": "none", "freeze_every": 1,
+    for method, options in {"paper": {"preset": "paper", "discard_rule": "none", "freezing_every_sets": 1,
                                       **runs.GRIDS},
                             "fast": {"motion": "fall"}, "skip": {"motion": "skip"}}.items():
         radius = runs.frostfill.Simulation("cube", count=30 if quick else 1000, **options).radius
         for size in SET_SIZES:
             shares = []
             for seed in range(1, seeds + 1):
-                quality = runs.finished("cube", radius=radius, count=None, group_size=size,
-                                        groups_per_set=1, seed=seed, **options).quality()
+                quality = runs.finished("cube", radius=radius, count=None, spheres_group_size=size,
+                                        spheres_groups_per_set=1, seed=seed, **options).quality()
                 shares.append(100 * quality.sphere_volume / quality.mesh_volume)
             half = STUDENT[seeds] * numpy.std(shares, ddof=1) / numpy.sqrt(seeds)
             rows.append((method, size, f"{numpy.mean(shares):.4f}", f"{half:.4f}", seeds))

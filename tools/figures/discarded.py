@@ -12,8 +12,8 @@ def measure(folder, quick):
     for mesh in runs.OBJECTS:
         for rule, options in {"paper": {"preset": "paper", **runs.GRIDS}, "exact": {}}.items():
             try:
-                run = runs.frostfill.fill(mesh, count=60 if quick else 2000, group_size=10,
-                                          groups_per_set=2, **options)
+                run = runs.frostfill.fill(mesh, count=60 if quick else 2000, spheres_group_size=10,
+                                          spheres_groups_per_set=2, **options)
             except runs.frostfill.Postcondition as outside:  # the paper's method loses some
                 run = outside.run
             sets = tables.read(run.directory / "sets.csv")

@@ -53,7 +53,7 @@ def steps(runs, quick):
                 step = step or factor * simulation.time_step
                 start = time.process_time()
                 simulation = runs.frostfill.Simulation("cube", radius=0.1, count=100 if quick else 600,
-                                                       seed=seed, threads=1, dt=step, **options)
+                                                       seed=seed, threads=1, motion_dt=step, **options)
             looks, looking = [], 0.0
             every = max(1, round(0.5 * unit / simulation.time_step))
             while simulation.advance(every) == every:
@@ -71,7 +71,7 @@ def steps(runs, quick):
     for curve, rivals, options in (
             ("fast", "fall", {}), ("fast skip", "skip", {"motion": "skip"}),
             ("paper", "fall", {"preset": "paper", **runs.GRIDS}),
-            ("paper semi-implicit", "fall", {"preset": "paper", "integrator": "semi-implicit", **runs.GRIDS})):
+            ("paper semi-implicit", "fall", {"preset": "paper", "motion_integrator": "semi-implicit", **runs.GRIDS})):
         fast = "preset" not in options
         # The preset fast divides steps that are longer than twice its default.
         factors = [f for f in (0.1, 0.25, 0.5, 1, 2, 4, 8)
@@ -79,7 +79,7 @@ def steps(runs, quick):
                    and (not quick or f in (0.5, 1, 2))]
         for factor in factors:
             for sweeps in ((1, 16) if quick else (1, 2, 4, 8, 16)) if fast else (1,):
-                more = {"sweeps": sweeps} if fast else {}
+                more = {"motion_sweeps": sweeps} if fast else {}
                 step, (seconds, *found) = run(factor, 12 if fast else 3, **options, **more)
                 setting = f"step x{factor:g}" + (f", sweeps {sweeps}" if fast else "")
                 rows.append(_row(curve, setting, rivals, seconds, found[0] + found[4],
@@ -94,7 +94,7 @@ def discards(runs, quick):
         usual = {"count": 100 if quick else 300, "threads": 1}
         preset = "paper" if "discard_closeness" in options or "discard_epsilon" in options else "fast"
         without, seconds_without = _timed(lambda: runs.finished(
-            mesh, preset=preset, **usual, **{**options, "discard": "none"}))
+            mesh, preset=preset, **usual, **{**options, "discard_rule": "none"}))
         kept, seconds = _timed(lambda: runs.finished(mesh, preset=preset, **usual, **options))
         ends = [each.snapshot() for each in (without, kept)]
         far = math.inf
@@ -105,11 +105,11 @@ def discards(runs, quick):
                     ends[1].discarded / len(ends[1]), ends[1].discarded_triangles / len(kept.triangles),
                     seconds_without, quality.centres_outside, quality.max_overlap)
 
-    rows = [run("torus", f"epsilon {value:g} r", value == 4, discard="paper", discard_epsilon=value)
+    rows = [run("torus", f"epsilon {value:g} r", value == 4, discard_rule="paper", discard_epsilon=value)
             for value in (0.5, 1, 2, 4, 8)]
-    rows += [run("torus", f"closeness {value:g} r", False, discard="paper", discard_closeness=value)
+    rows += [run("torus", f"closeness {value:g} r", False, discard_rule="paper", discard_closeness=value)
              for value in (0.1, 1, 2, 4)]
-    rows += [run(mesh, f"exact, {mesh}", True, discard="exact") for mesh in runs.OBJECTS]
+    rows += [run(mesh, f"exact, {mesh}", True, discard_rule="exact") for mesh in runs.OBJECTS]
     for row in rows:
         if row[0] == "exact" and float(row[4]) != 0:
             raise SystemExit(f"{row[1]}: exact discards change the result")
@@ -170,8 +170,8 @@ def layers(runs, quick):
             if quick and size not in (20, 210):
                 continue
             run, seconds = _timed(lambda: runs.finished(
-                None, vertices=vertices, triangles=cube.triangles, radius=0.5, count=None, restitution=0,
-                freezing_rule="by-set" if by_set else "one-by-one", group_size=size, groups_per_set=1,
+                None, vertices=vertices, triangles=cube.triangles, radius=0.5, count=None, motion_restitution=0,
+                freezing_rule="by-set" if by_set else "one-by-one", spheres_group_size=size, spheres_groups_per_set=1,
                 threads=1))
             state, quality = run.snapshot(), run.quality()
             found = runs.frostfill.analyse(state.centres, state.radii, run.vertices, run.triangles, gap=0.02,
@@ -195,8 +195,8 @@ def rendering(runs, quick):
 
     def compare(curve, setting, rivals, reference, run, samples, supersample, triangles, **options):
         def draw():
-            return run.render(samples=samples, supersample=supersample, size=size, legend=False,
-                              static_layer="off", **options)
+            return run.render(picture_samples=samples, picture_supersample=supersample, size=size, legend=False,
+                              picture_static_layer=False, **options)
         draw()
         picture, seconds = min((_timed(draw) for _ in range(5)), key=lambda each: each[1])
         apart = picture[:, :, :3] - reference
@@ -206,7 +206,7 @@ def rendering(runs, quick):
 
     run = runs.finished("torus", count=200 if quick else 1000, motion="skip")
     # Of 256 samples a pixel: a picture twice as large, whose pixels are averaged by four.
-    fine = run.render(samples=1, supersample=8, size=f"{2 * width}x{2 * height}", legend=False, shell=False)
+    fine = run.render(picture_samples=1, picture_supersample=8, size=f"{2 * width}x{2 * height}", legend=False, shell=False)
     fine = fine[:, :, :3].reshape(height, 2, width, 2, 3).mean(axis=(1, 3))
     for samples, supersample in ((1, 1), (2, 1), (4, 1), (1, 2), (1, 3), (1, 4)):
         compare("exact spheres", f"{samples} samples, {supersample}x{supersample}", "", fine, run, samples,
@@ -215,7 +215,7 @@ def rendering(runs, quick):
         vertices, triangles = torus(along)
         run = runs.frostfill.Simulation(vertices=vertices, triangles=triangles, count=1, radius=0.05)
         # Its lines are one pixel wide, so its size stays.
-        fine = run.render(samples=4, supersample=8, size=size, legend=False)[:, :, :3].astype(float)
+        fine = run.render(picture_samples=4, picture_supersample=8, size=size, legend=False)[:, :, :3].astype(float)
         name = f"{len(triangles)} triangles"
         for samples in (1, 4):
             compare("shell", f"{name}, {samples} samples", "shell of " + name, fine, run, samples, 1,

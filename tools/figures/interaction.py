@@ -105,8 +105,8 @@ def measure(folder, quick):
     tables.write(folder / "interaction-rays.csv", ("where", "x", "y", "dx", "dy"), rays)
 
     # The paper's example: three groups a set, and the third set runs.
-    group = new.options["group_size"] or 10
-    options.update(radius=unit, groups_per_set=3, freeze_every=1, discard="none", count=9 * group)
+    group = new.options["spheres_group_size"] or 10
+    options.update(radius=unit, spheres_groups_per_set=3, freezing_every_sets=1, discard_rule="none", count=9 * group)
     (moment,) = runs.moments("torus", [9 * group], **options)
     tables.write(folder / "interaction-pairs.csv", ("i", "j", "kind", "tests"),
                  runs.pairs_of_groups(moment.snapshot()))

@@ -7,7 +7,7 @@ import frostfill
 import numpy
 
 OBJECTS = ("torus", "sphere", "cube", "human")
-GRIDS = {"sphere_search": "grid", "polygon_search": "grid"}  # the same bits as all pairs, sooner
+GRIDS = {"search_spheres": "grid", "search_polygons": "grid"}  # the same bits as all pairs, sooner
 GRAVITY = 9.81
 
 

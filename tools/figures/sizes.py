@@ -15,7 +15,7 @@ def measure(folder, quick):
     tables.write(curve, ("radius", "cumulative mass"), ((f"{largest / 10:g}", 0), (f"{largest:g}", 1)))
     rows = []
     for name, options in {"count": {"count": 100 if quick else 15000}, "full_within": {"count": None},
-                          "full": {"count": None, "curve_within": None}}.items():
+                          "full": {"count": None, "spheres_curve_within": None}}.items():
         run = runs.finished("cube", motion="descend", sizes=str(curve), **options)
         for point in run.sizes.points:
             rows.append((name, f"{point.radius:.6g}", f"{100 * point.asked:.5f}",

@@ -7,7 +7,7 @@ from . import style
 def measure(folder, quick):
     from . import runs
     count = 60 if quick else 1500
-    (moment,) = runs.moments("torus", [count * 5 // 8], count=count, group_size=40, style="studio")
+    (moment,) = runs.moments("torus", [count * 5 // 8], count=count, spheres_group_size=40, style="studio")
     style.save_picture(moment.render(), folder / "studio.png")
 
 

@@ -13,11 +13,11 @@ KINDS = {"running": style.STATES["running"], "frozen": style.STATES["frozen"],
 
 def measure(folder, quick):
     from . import runs
-    options = dict(preset="paper", polygon_search="grid", sphere_search="all-pairs", freeze_every=1,
+    options = dict(preset="paper", search_polygons="grid", search_spheres="all-pairs", freezing_every_sets=1,
                    **runs.panel(SIDE), **({"count": 60} if quick else {}))
     count = runs.frostfill.Simulation("torus", **options).expected_spheres * 3 // 4
     rows, pictures = [], []
-    for name, rule in (("frozen", {"discard": "none"}), ("discarded", {})):
+    for name, rule in (("frozen", {"discard_rule": "none"}), ("discarded", {})):
         (moment,) = runs.moments("torus", [count], **options, **rule)
         state = moment.snapshot()
         pairs = runs.pairs_of_groups(state)
