@@ -18,7 +18,7 @@ namespace
 
 /// Cosine of the angle by which a flat end may be askew, and share of the height that it may be
 /// away from the end. Larger: slopes count as ends. Smaller: rounding takes ends away.
-constexpr double kFlat = 0.9999;
+constexpr double kEndNormal = 0.9999;
 constexpr double kAtEnd = 1e-4;
 /// Share of the largest coordinate below which one is 0.
 constexpr double kDust = 1e-14;
@@ -62,9 +62,9 @@ std::vector<BedPatch> findPatches(const TriangleMesh& mesh, const Eigen::Vector3
         const Eigen::Vector3d& c = mesh.vertices[triangle[2]];
         const double slope = (b - a).cross(c - a).normalized().dot(up);
         const double height = up.dot(a);
-        patches.push_back(slope < -kFlat && height < low + margin   ? BedPatch::inlet
-                          : slope > kFlat && height > high - margin ? BedPatch::outlet
-                                                                    : BedPatch::wall);
+        patches.push_back(slope < -kEndNormal && height < low + margin   ? BedPatch::inlet
+                          : slope > kEndNormal && height > high - margin ? BedPatch::outlet
+                                                                         : BedPatch::wall);
     }
     return patches;
 }

@@ -71,7 +71,7 @@ constexpr double kFoot = 0.1;
 constexpr double kNoFoot = 0.03;
 /// [1] Of the height, how near to its lowest place a foot is; and how level.
 constexpr double kAtFoot = 1e-3;
-constexpr double kLevel = 0.9999;
+constexpr double kLevelNormal = 0.9999;
 
 /// Area on which a mesh would stand on a level floor if an axis pointed up, over that of its box.
 double footOf(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up)
@@ -82,7 +82,7 @@ double footOf(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up)
     {
         const Eigen::Vector3d& a = mesh.vertices[i];
         const Eigen::Vector3d normal = (mesh.vertices[j] - a).cross(mesh.vertices[k] - a);
-        area += a[up] < end && normal[up] < -kLevel * normal.norm() ? normal.norm() / 2 : 0;
+        area += a[up] < end && normal[up] < -kLevelNormal * normal.norm() ? normal.norm() / 2 : 0;
     }
     return area / (box.sizes()[(up + 1) % 3] * box.sizes()[(up + 2) % 3]);
 }
