@@ -67,8 +67,8 @@ TEST_F(Exports, OfAFillAreWhatTheCommandExportWrites)
     EXPECT_EQ(json.code, 0) << json.errors;
     EXPECT_EQ(json.output, test::readFile(folder_ / "run/summary.json"));
     // A run that has ended is exported without being run again.
-    ASSERT_EQ(run("fill --resume run --export ply").code, 0);
-    EXPECT_TRUE(isThere("run/export"));
+    ASSERT_EQ(run("fill --resume run --export npz").code, 0);
+    EXPECT_TRUE(isThere("run/export/run.npz"));
 }
 
 TEST_F(Exports, AreRefusedBeforeTheRunThatCouldNotBeExported)
