@@ -36,7 +36,7 @@ RunHead someHead()
     head.scene.spheres.groupsPerSet = 3;
     head.interval = 0.004;
     head.version = "9.8.7";
-    head.colours = {12, 1};
+    head.colours = {12, 1, {0.25, 0.5}};
     return head;
 }
 
@@ -167,6 +167,8 @@ TEST_F(PageFacts, HaveTheScaleFromItsDarkEndAndWhatItMeans)
     // Of 12 groups the last has the number 11; three are a set.
     EXPECT_EQ(colours.at("group").at("high"), 11);
     EXPECT_EQ(colours.at("set").at("high"), 3);
+    EXPECT_EQ(colours.at("radius").at("low"), 0.25);
+    EXPECT_EQ(colours.at("radius").at("high"), 0.5);
 }
 
 TEST_F(PageFacts, HaveThePlanesOfTheCutOrNone)

@@ -46,7 +46,7 @@ TEST(Skin, IsOfferedOnlyWhereTheProgramIs)
         const auto refusal = test::errorOf([] { (void)repairMesh(boxWithoutLid(), "tub.obj"); });
         ASSERT_TRUE(refusal);
         const std::string text = refusal->what();
-        EXPECT_EQ(text.find("give --lid (frostfill fill tub.obj --lid) or --wrap, or ") !=
+        EXPECT_EQ(text.find("give --lid (frostfill fill tub.obj --lid) or --wrap auto, or ") !=
                       std::string::npos,
                   offers)
             << text;

@@ -151,9 +151,25 @@ TEST(ColourScale, OfDistancesFromWallsEndsWhereNoneIsFarther)
     EXPECT_EQ(SphereColours(settings, corners).range().high, 0.5);
 }
 
+TEST(ColourScale, OfRadiiReachesFromTheSmallestToTheLargest)
+{
+    RenderSettings settings;
+    settings.style.colourBy = "radius";
+    settings.range = {0.25, 0.75};
+    const SphereColours colours(settings, {});
+    Snapshot snapshot;
+    snapshot.states.assign(3, SphereState::discarded);
+    snapshot.radii = {0.25F, 0.5F, 0.75F};
+    for (const std::size_t sphere : {0U, 1U, 2U})
+    {
+        EXPECT_EQ(colours.of(snapshot, sphere), scaleColour(0.5 * static_cast<double>(sphere)));
+    }
+    EXPECT_EQ(colours.title(), "Radius [mesh unit]");
+}
+
 TEST(ColourScale, RefusesAColumnThatGivesNoColours)
 {
-    for (const char* name : {"radius", "colour"})
+    for (const char* name : {"id", "colour"})
     {
         RenderSettings settings;
         settings.style.colourBy = name;

@@ -93,6 +93,23 @@ TEST(Options, TakeWordsForNumbersAndForNothing)
     EXPECT_FALSE(scene.motion.dt);
 }
 
+TEST(Options, OneColourIsThatOfSpheresOfAllStates)
+{
+    const Option& option = *findOption("picture.colour");
+    Scene scene;
+    const Palette usual = scene.style.palette;
+    EXPECT_EQ(optionText(option, option.get(scene)), "by-state");
+    EXPECT_TRUE(setOption(option, scene, std::string("by-state")));
+    EXPECT_EQ(scene.style.palette.running, usual.running);
+    EXPECT_TRUE(setOption(option, scene, std::string("vermilion")));
+    const Colour vermilion = {213, 94, 0, 255};
+    EXPECT_EQ(scene.style.palette.running, vermilion);
+    EXPECT_EQ(scene.style.palette.frozen, vermilion);
+    EXPECT_EQ(scene.style.palette.discarded, vermilion);
+    EXPECT_EQ(scene.style.palette.activePolygon, usual.activePolygon);
+    EXPECT_EQ(optionText(option, option.get(scene)), "#d55e00");
+}
+
 TEST(Options, RefuseWhatIsNotOfTheirTypeOrRange)
 {
     const auto refused = [](const char* key, const char* text)
@@ -118,7 +135,8 @@ TEST(Options, RefuseWhatIsNotOfTheirTypeOrRange)
     EXPECT_TRUE(refused("picture.size", "0x0"));
     EXPECT_TRUE(refused("picture.size", "20000x20000"));
     EXPECT_TRUE(refused("picture.size", "-5x5"));
-    EXPECT_TRUE(refused("picture.background", "white"));
+    EXPECT_TRUE(refused("picture.background", "whiter")); // white is a name
+    EXPECT_TRUE(refused("picture.colour", "purpel"));
     EXPECT_TRUE(refused("picture.background", "#12345"));
     EXPECT_TRUE(refused("picture.legend", "yes"));
     EXPECT_TRUE(refused("camera.target", "1,2"));
