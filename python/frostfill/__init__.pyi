@@ -34,7 +34,8 @@ class PictureOptions(TypedDict, total=False):
     picture_samples: int
     picture_supersample: int
     style: Literal['clean', 'paper', 'dark', 'studio']
-    color_by: Literal['state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance', 'wall_distance', 'sphere_contacts', 'wall_contacts', 'rattler', 'cell', 'local_fraction', 'bonds', 'q6']
+    color_by: Literal['radius', 'state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance', 'wall_distance', 'sphere_contacts', 'wall_contacts', 'rattler', 'cell', 'local_fraction', 'bonds', 'q6']
+    colour: str | int | Sequence[float] | Sequence[str]
     cutaway: str | int | Sequence[float] | Sequence[str]
     picture_ambient_occlusion: bool
     legend: bool
@@ -69,7 +70,6 @@ class FillOptions(JudgeOptions, PictureOptions, total=False):
     spheres_until_full: bool
     spheres_group_size: int
     spheres_groups_per_set: int
-    spheres_release: Literal['ceilings']
     preset: Literal['fast', 'paper']
     motion: Literal['fall', 'skip', 'descend', 'granular']
     motion_gravity: float

@@ -174,8 +174,8 @@ TEST(Columns, RefuseNamesAndTypesThatCannotBe)
 
 TEST(Columns, AreChoicesOfColours)
 {
-    std::vector<std::string> expected = {"state",  "group",    "set",      "speed",
-                                         "height", "contacts", "unbalance"};
+    std::vector<std::string> expected = {"radius", "state",  "group",    "set",
+                                         "speed",  "height", "contacts", "unbalance"};
     for (const std::string& name : measuredNames())
     {
         if (name != "cell_volume") // no scale fits all packings

@@ -73,7 +73,7 @@ TEST_F(Environment, ASignalAtAnyMomentEndsTheRunSoonAndWhole)
 
 TEST_F(Environment, TheTableOfARunThatWasStoppedHasTheSpheresThatThereAre)
 {
-    const Answer answer = run("fill cube --count 3000 --frames none --motion descend --rest joint "
+    const Answer answer = run("fill cube --count 3000 --frames last --motion descend --rest joint "
                               "--out a & process=$!; until test -d a; do sleep 0.05; done; "
                               "sleep 1; kill -TERM $process; wait $process");
     EXPECT_EQ(answer.code, 75) << answer.errors;

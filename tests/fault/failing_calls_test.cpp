@@ -78,12 +78,17 @@ TEST_F(FailingCalls, WhatAKillLeavesTheNextRunClearsAway)
     };
     for (const char* call : {"fsync", "rename"})
     {
-        fs::create_directories(folder_ / "faulty");
-        const Answer killed = runWith({call, "kill"}, 3, arguments);
-        EXPECT_EQ(killed.code, 128 + 9) << call;
-        EXPECT_GT(unfinished(), 0u) << call;
-        EXPECT_EQ(run(arguments).code, 0) << call;
-        EXPECT_EQ(unfinished(), 0u) << call;
+        std::size_t left = 0; // some of the calls are those of folders, and leave none
+        for (const int at : {2, 3, 4})
+        {
+            fs::create_directories(folder_ / "faulty");
+            const Answer killed = runWith({call, "kill"}, at, arguments);
+            EXPECT_EQ(killed.code, 128 + 9) << call;
+            left += unfinished();
+            EXPECT_EQ(run(arguments).code, 0) << call;
+            EXPECT_EQ(unfinished(), 0u) << call;
+        }
+        EXPECT_GT(left, 0u) << call;
     }
 }
 

@@ -120,8 +120,7 @@ void addPicture(TableBuilder& table)
     table.add(Option{.key = "picture.colour",
                      .flag = "--colour",
                      .group = table.group(),
-                     .help = "One colour for all spheres: #RRGGBB, or orange, skyblue, green, "
-                             "yellow, blue, vermilion, purple, grey ...",
+                     .help = "One colour for all spheres, such as orange or #d55e00",
                      .placeholder = "NAME|#RRGGBB",
                      .form = "by-state, a name such as orange, or #RRGGBB",
                      .get =
