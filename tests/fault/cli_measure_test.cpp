@@ -118,7 +118,10 @@ TEST_F(MeasureCommands, FpsReadsScenesAndMeshFiles)
 
 TEST_F(MeasureCommands, AnalyseDrawsItsTablesAndSaysHowToGetGnuplot)
 {
-    ASSERT_EQ(run("fill cube --count 200 --frames none --set frames.keep_run=on --quiet --out run").code, 0);
+    ASSERT_EQ(
+        run("fill cube --count 200 --frames none --set frames.keep_run=true --quiet --out run")
+            .code,
+        0);
     const std::string analyse = "analyse run --only porosity,contacts,pairs --figures --quiet ";
     const Answer missing = test::runProgram(analyse + "--out new", folder_.path(), "PATH=/nowhere");
     EXPECT_EQ(missing.code, 69);
