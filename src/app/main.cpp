@@ -146,17 +146,10 @@ struct NamedCommand
     Command (*add)(CLI::App& program);
 };
 constexpr NamedCommand kCommands[] = {
-    {"fill", addFillCommand},
-    {"render", addRenderCommand},
-    {"view", addViewCommand},
-    {"export", addExportCommand},
-    {"import", addImportCommand},
-    {"check", addCheckCommand},
-    {"analyse", addAnalyseCommand},
-    {"mesh", addMeshCommand},
-    {"sweep", addSweepCommand},
-    {"fps", addFpsCommand},
-    {"doctor", addDoctorCommand},
+    {"fill", addFillCommand},       {"render", addRenderCommand}, {"view", addViewCommand},
+    {"export", addExportCommand},   {"import", addImportCommand}, {"check", addCheckCommand},
+    {"analyse", addAnalyseCommand}, {"mesh", addMeshCommand},     {"sweep", addSweepCommand},
+    {"fps", addFpsCommand},         {"doctor", addDoctorCommand},
 };
 
 /// Adds what prints help, as the last of the options.
