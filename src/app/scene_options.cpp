@@ -165,6 +165,17 @@ void addSceneOptions(CLI::App& command, GivenOptions& given)
             }
         }
     }
+    if (name == "fill")
+    {
+        const auto take = [&given](double porosity)
+        {
+            keep(given, optionOf("rest.fraction"), "--fraction (1 minus --porosity)",
+                 fmt::format("{}", 1 - porosity));
+        };
+        command.add_option_function<double>("--porosity", take, "1 minus --fraction")
+            ->type_name("X")
+            ->group("Rest");
+    }
     command
         .add_option_function<std::vector<std::string>>(
             "--set",

@@ -118,6 +118,19 @@ TEST_F(FillCommand, FillsUntilFullWhenOnlyARadiusIsGiven)
     EXPECT_EQ(nlohmann::json::parse(answer.output)["outcome"], "full");
 }
 
+TEST_F(FillCommand, TakesAPorosityAsOneMinusTheFraction)
+{
+    const std::string bed = "fill cube --radius 0.1 --count 200 --motion skip --rest joint "
+                            "--friction 0.4 --frames none --quiet --overwrite --out bed ";
+    const Answer answer = run(bed + "--porosity 0.375 --json");
+    EXPECT_EQ(nlohmann::json::parse(answer.output)["scene"]["rest"]["fraction"], 0.625);
+    const Answer wrong = run(bed + "--porosity 0.9");
+    EXPECT_EQ(wrong.code, 64);
+    EXPECT_NE(wrong.errors.find("--fraction (1 minus --porosity) is '0.1'"), std::string::npos)
+        << wrong.errors;
+    EXPECT_EQ(run(bed + "--porosity 0.375 --fraction 0.625").code, 64);
+}
+
 TEST_F(FillCommand, GrainsAreNotLeftInTheNarrowsOfAnAnkle)
 {
     const Answer answer = run("fill human --count 120 --seed 2 --motion granular "

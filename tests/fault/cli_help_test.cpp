@@ -185,7 +185,6 @@ TEST_F(HelpCommands, AnOldFlagIsRefusedWithTheNewWay)
         {"fill cube --freeze-by-set", "--set freezing.rule=by-set"},
         {"fill cube --max-frames", "--set frames.limit=VALUE"},
         {"fill --scene a.toml", "give the scene in place of MESH"},
-        {"fill cube --porosity 0.4", "1 minus the packing fraction: --fraction"},
         {"fill cube --view", "--out FILE.html"},
         {"fill cube --export vtp", "frostfill export RUN --to FORMAT"},
         {"check pile.csv --judge-friction 0.3", "--set judge.friction=0.3"},

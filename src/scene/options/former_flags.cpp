@@ -58,7 +58,6 @@ constexpr FormerFlag kFormerFlags[] = {
     {"--output", "now --out"},
     {"--passes", "frames.passes"},
     {"--polygon-search", "search.polygons"},
-    {"--porosity", "1 minus the packing fraction: --fraction"},
     {"--rest-speed", "freezing.rest_speed"},
     {"--rest-window", "freezing.rest_window"},
     {"--restitution", "motion.restitution"},
