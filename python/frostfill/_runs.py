@@ -191,6 +191,10 @@ class Run(_frostfill.KeptRun):
     def __repr__(self) -> str:
         return f"<frostfill.Run of {len(self.radii)} spheres, {len(self)} frames, in {self.directory}>"
 
+    def _repr_png_(self) -> bytes:
+        """The last state, as a notebook shows it."""
+        return self.render(size=(640, 360))._repr_png_()
+
 
 # Formats that are one file of spheres, by its ending.
 _ENDINGS = {"vtp": "vtp", "xyz": "xyz", "glb": "glb", "csv": "csv", "npz": "npz",

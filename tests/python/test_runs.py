@@ -61,6 +61,11 @@ class Runs(FolderCase):
         self.assertEqual(len(list((out / "frames").glob("*.png"))),
                          len(frostfill.load(out).frames))
 
+    def test_show_their_last_picture_in_a_notebook(self):
+        shown = self.run_._repr_png_()
+        self.assertEqual(shown, self.run_.render(-1, size=(640, 360))._repr_png_())
+        self.assertNotEqual(shown, self.run_.render(0, size=(640, 360))._repr_png_())
+
     def test_and_pictures_are_told_in_a_line(self):
         picture = self.run_.render(size=(64, 48))
         self.assertEqual(repr(picture), "<frostfill.Picture of 64 x 48 pixels>")
