@@ -84,7 +84,8 @@ void printVerdict(std::span<const BackendAttempt> attempts)
     fmt::print("{}\n", hasOsmesa ? "all is well"
                        : std::any_of(attempts.begin(), attempts.end(), works)
                            ? "OSMesa is missing: without it, pictures are drawn all the same"
-                           : "no OpenGL is available: without it, pictures are drawn all the same");
+                           : "OSMesa is missing, and no OpenGL is available: without it, "
+                             "pictures are drawn all the same");
 }
 
 int examine()
