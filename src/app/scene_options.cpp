@@ -170,7 +170,7 @@ void addSceneOptions(CLI::App& command, GivenOptions& given)
         const auto take = [&given](double porosity)
         {
             keep(given, optionOf("rest.fraction"), "--fraction (1 minus --porosity)",
-                 fmt::format("{}", 1 - porosity));
+                 fmt::format("{:.15g}", 1 - porosity));
         };
         command.add_option_function<double>("--porosity", take, "1 minus --fraction")
             ->type_name("X")
