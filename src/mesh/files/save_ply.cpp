@@ -26,7 +26,7 @@ void append(std::string& bytes, const Value& value)
 template <typename Visit>
 void forEachBlock(const TriangleMesh& mesh, Visit&& visit)
 {
-    constexpr std::size_t kBlock = std::size_t{1} << 16;
+    constexpr std::size_t kBlockBytes = std::size_t{1} << 16;
     std::string block = fmt::format("ply\n"
                                     "format binary_little_endian 1.0\n"
                                     "comment Frostfill: the mesh as simulated\n"
@@ -40,7 +40,7 @@ void forEachBlock(const TriangleMesh& mesh, Visit&& visit)
                                     mesh.vertices.size(), mesh.triangles.size());
     const auto passOn = [&]
     {
-        if (block.size() >= kBlock)
+        if (block.size() >= kBlockBytes)
         {
             visit(std::string_view(block));
             block.clear();
