@@ -3,6 +3,8 @@
 
 #include <frostfill/mesh.hpp>
 
+#include <fmt/format.h>
+
 #include <bit>
 #include <cstring>
 #include <string_view>
