@@ -12,8 +12,8 @@
 namespace frostfill::python
 {
 
-/// What an option is called as a keyword: "--color-by" is color_by, and the key motion.dt, which
-/// has no flag, is motion_dt.
+/// Returns the keyword of an option: color_by for "--color-by", and motion_dt for the key
+/// motion.dt, which has no flag.
 [[nodiscard]] std::string keywordOf(const Option& option);
 
 /// The values that a call gives by keyword, read while the interpreter is held and set while it

@@ -32,7 +32,7 @@ enum class AnalysisKind : std::uint8_t
 /// Throws Error usage, with all of them, for another word.
 [[nodiscard]] AnalysisKind analysisKind(const std::string& name);
 
-/// What the mesh around a packing is.
+/// The role of the mesh around a packing.
 enum class AnalysisBounds : std::uint8_t
 {
     walls,
@@ -179,8 +179,8 @@ struct PorosityProfiles
 /// "bulk: 4 r from the walls and from the surface, ...": what `fill` calls the bulk, too.
 [[nodiscard]] const char* bulkInWords();
 
-/// What was asked; the others are empty. All is of the bed: what the mesh encloses below the
-/// surface.
+/// The analyses that were asked for; the others are empty. All describe the bed: the part of the
+/// mesh below the surface.
 struct PackingAnalysis
 {
     AnalysisSettings settings;

@@ -47,7 +47,7 @@ enum class ColumnOf : std::uint8_t
     resting,
 };
 
-/// What the ends of a column's scale of colours are.
+/// Sources of the ends of a column's scale of colours.
 enum class ColumnScale : std::uint8_t
 {
     own,    ///< `low` and `high`
@@ -56,6 +56,7 @@ enum class ColumnScale : std::uint8_t
     fall,   ///< the speeds of a fall through the object
     height, ///< the heights of the object
     depth,  ///< 0 and half of the object's smallest side
+    radii,  ///< the radii of the run
 };
 
 /// A quantity of a sphere.

@@ -141,6 +141,8 @@ struct LoadMeshOptions
 [[nodiscard]] std::vector<std::string> builtInMeshNames();
 /// Throws Error badData for an unknown name.
 [[nodiscard]] TriangleMesh builtInMesh(std::string_view name);
+/// The twelve triangles of a box, wound outwards.
+[[nodiscard]] TriangleMesh boxMesh(const Eigen::AlignedBox3d& box);
 
 /// Binary little-endian PLY in double precision: the content of a file.
 [[nodiscard]] std::string plyBytes(const TriangleMesh& mesh);

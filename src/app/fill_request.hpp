@@ -24,7 +24,7 @@ struct FillArguments
     GivenOptions given;
 };
 
-/// What is done, beside the files of the run.
+/// A run to fill, and the files that are written beside it.
 struct FillTask
 {
     FillRequest request;

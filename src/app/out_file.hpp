@@ -9,7 +9,7 @@
 namespace frostfill
 {
 
-/// What is given for --out: a folder, or a file whose ending says what is wanted.
+/// The kind of a value of --out: a folder, or a file whose ending names the product.
 enum class OutKind
 {
     folder,

@@ -53,18 +53,6 @@ void addPackingMeshOption(CLI::App& command, PackingPlace& place)
 namespace
 {
 
-TriangleMesh meshOf(const Eigen::AlignedBox3d& box)
-{
-    const Eigen::Vector3d size = box.sizes();
-    TriangleMesh mesh = builtInMesh(fmt::format("box:{},{},{}", size.x(), size.y(), size.z()));
-    const Eigen::Vector3d low = boundingBox(mesh).min();
-    for (Eigen::Vector3d& vertex : mesh.vertices)
-    {
-        vertex += box.min() - low;
-    }
-    return mesh;
-}
-
 Eigen::AlignedBox3d boxOf(const std::vector<double>& given)
 {
     Eigen::AlignedBox3d box(Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
@@ -98,7 +86,7 @@ PackingWalls wallsOf(const Packing& packing, const PackingPlace& place, const Lo
     }
     if (!place.box.empty())
     {
-        return {meshOf(boxOf(place.box)),
+        return {boxMesh(boxOf(place.box)),
                 place.repeats ? AnalysisBounds::periodic : AnalysisBounds::walls};
     }
     if (packing.mesh)
@@ -120,7 +108,11 @@ TriangleMesh boxAround(const Packing& packing)
             around.extend(Eigen::Vector3d(packing.centres[k].array() + packing.radii[k]));
         }
     }
-    return meshOf(around);
+    if (around.isEmpty())
+    {
+        throw Error(ErrorCode::badData, "no sphere of the packing has a finite centre");
+    }
+    return boxMesh(around);
 }
 
 Packing withImages(const Packing& packing, const TriangleMesh& box)

@@ -29,7 +29,7 @@ struct PackingArguments
 };
 void addPackingOptions(CLI::App& command, PackingArguments& arguments);
 
-/// What a packing is in.
+/// The container of a packing.
 struct PackingPlace
 {
     std::string mesh;

@@ -124,7 +124,7 @@ private:
     std::filesystem::path folder_;
 };
 
-/// What is asked for, but for the changes of the scene. Throws Error usage.
+/// Returns the request without the changes of the scene. Throws Error usage.
 RenderRequest requestOf(const RenderArguments& arguments, OutKind kind)
 {
     RenderRequest request = arguments.request;

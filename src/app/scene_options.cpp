@@ -19,7 +19,7 @@ namespace
 /// The help shows so many words in place of a name at most.
 constexpr std::size_t kMaxWords = 6;
 
-/// What a command takes. Runs that a file describes are changed by --set alone.
+/// Returns the options of a command. Only --set changes runs that a file describes.
 std::vector<const Option*> optionsOf(std::string_view command)
 {
     if (command == "import")
@@ -105,7 +105,7 @@ void addFlag(CLI::App& command, const Option& option, GivenOptions& given)
 {
     const auto take = [&given, &option](const std::string& text)
     { keep(given, option, option.flag, text); };
-    // What is not given for the pictures of a run that is over is as in the run.
+    // Settings of pictures that `render` is not given are those of the run: no default is shown.
     const std::string help = command.get_name() == "render"
                                  ? option.help
                                  : fmt::format("{} ({})", option.help, defaultText(option));

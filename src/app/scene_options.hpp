@@ -11,7 +11,7 @@
 namespace frostfill
 {
 
-/// What the command line gave for an option.
+/// The value of an option on the command line.
 struct GivenOption
 {
     std::string name; ///< as it was called: its flag, or its key

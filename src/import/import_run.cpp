@@ -22,20 +22,6 @@ namespace frostfill
 namespace
 {
 
-/// The twelve triangles of a box, wound outwards.
-TriangleMesh boxMesh(const Eigen::AlignedBox3d& box)
-{
-    TriangleMesh mesh;
-    for (int corner = 0; corner < 8; ++corner) // bit k: at the high end of axis k
-    {
-        mesh.vertices.emplace_back(
-            box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
-    }
-    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-    return mesh;
-}
-
 TriangleMesh meshOf(const ImportRequest& request, const Survey& survey)
 {
     if (!request.mesh.empty())

@@ -30,7 +30,7 @@ std::unique_ptr<World> room(const TriangleMesh& mesh, const Scene& scene)
 
 TriangleMesh hall(double half, double height)
 {
-    return boxMesh({-half, -height / 2, -half}, {half, height / 2, half}, 2);
+    return cutBoxMesh({-half, -height / 2, -half}, {half, height / 2, half}, 2);
 }
 
 FreeFlight::Settings lossless(double restitution)

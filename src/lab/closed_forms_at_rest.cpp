@@ -129,7 +129,7 @@ void measureCorner(ClosedFormPoints& points)
         Eigen::AngleAxisd(std::acos(1 / std::sqrt(3.0)), Eigen::Vector3d(-1, 0, 1).normalized())
             .toRotationMatrix();
     const TriangleMesh mesh =
-        moved(boxMesh({-5, -5, -5}, {5, 5, 5}, 3), 1, stand, Eigen::Vector3d::Zero());
+        moved(cutBoxMesh({-5, -5, -5}, {5, 5, 5}, 3), 1, stand, Eigen::Vector3d::Zero());
     const Eigen::Vector3d expected(0, -5 * std::sqrt(3.0) + oracle::aboveCorner(), 0);
     const Eigen::Vector3d start(0.3, -2, 0.2);
     addFast(points, "corner", "cuts", 3, mesh, start, expected);
@@ -139,7 +139,7 @@ void measureCorner(ClosedFormPoints& points)
 
 void measureThreeSpheres(ClosedFormPoints& points)
 {
-    const auto world = room(boxMesh({-8, -8, -8}, {8, 8, 8}));
+    const auto world = room(cutBoxMesh({-8, -8, -8}, {8, 8, 8}));
     FallIndex falls(world->spheres.resting().frame(), world->triangles);
     for (const Eigen::Vector3d& p : oracle::threeTouching(-7))
     {

@@ -40,7 +40,7 @@ void addLeastFriction(ClosedFormPoints& points, const char* problem, const char*
 
 void measurePyramids(ClosedFormPoints& points)
 {
-    const TriangleMesh mesh = boxMesh({-8, -8, -8}, {8, 8, 8});
+    const TriangleMesh mesh = cutBoxMesh({-8, -8, -8}, {8, 8, 8});
     const std::vector<Eigen::Vector3d> onTwo = {
         {-1, kFloor, 0}, {1, kFloor, 0}, {0, kFloor + std::sqrt(3.0), 0}};
     const auto three = oracle::threeTouching(kFloor);
@@ -58,7 +58,7 @@ void measureArches(ClosedFormPoints& points)
     {
         const Eigen::Vector3d step = 2 * Eigen::Vector3d(std::cos(rise), -std::sin(rise), 0);
         const double half = step.x() + 1;
-        const TriangleMesh mesh = boxMesh({-half, -8, -8}, {half, 8, 8});
+        const TriangleMesh mesh = cutBoxMesh({-half, -8, -8}, {half, 8, 8});
         addLeastFriction(points, "arch stands", "rise", rise * 180 / std::numbers::pi, mesh,
                          {{0, 0, 0}, step, {-step.x(), step.y(), 0}}, oracle::frictionOfArch(rise));
     }
@@ -72,7 +72,7 @@ void measureRolling(ClosedFormPoints& points)
         const Eigen::Matrix3d lean =
             Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
         const TriangleMesh mesh =
-            moved(boxMesh({-8, -8, -8}, {8, 8, 8}), 1, lean, Eigen::Vector3d::Zero());
+            moved(cutBoxMesh({-8, -8, -8}, {8, 8, 8}), 1, lean, Eigen::Vector3d::Zero());
         const double found = judged(mesh, {lean * Eigen::Vector3d(0, kFloor, 0)}, 5).largest;
         points.add("rolls down a plane", "judge", "angle", angle * 180 / std::numbers::pi,
                    found - oracle::rollingDown(angle), kHundredth);

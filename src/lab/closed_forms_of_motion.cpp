@@ -246,7 +246,7 @@ void measureIncline(ClosedFormPoints& points, int cuts)
     const Eigen::Matrix3d tilt =
         Eigen::AngleAxisd(kAngle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     const TriangleMesh mesh =
-        moved(boxMesh({-30, -6, -12}, {30, 6, 12}, cuts), 1, tilt, Eigen::Vector3d::Zero());
+        moved(cutBoxMesh({-30, -6, -12}, {30, 6, 12}, cuts), 1, tilt, Eigen::Vector3d::Zero());
     const auto world = room(mesh);
     FreeFlight flight(*world, lossless(0));
     const Eigen::Vector3d start = tilt * Eigen::Vector3d(15, -5, 0.7);

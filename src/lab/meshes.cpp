@@ -8,7 +8,7 @@
 
 namespace frostfill
 {
-TriangleMesh boxMesh(const Eigen::Vector3d& low, const Eigen::Vector3d& high, int cuts)
+TriangleMesh cutBoxMesh(const Eigen::Vector3d& low, const Eigen::Vector3d& high, int cuts)
 {
     TriangleMesh mesh;
     const Eigen::Vector3d step = (high - low) / cuts;

@@ -7,8 +7,8 @@ namespace frostfill
 {
 
 /// A box, each face cut into cuts x cuts quads.
-[[nodiscard]] TriangleMesh boxMesh(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
-                                   int cuts = 8);
+[[nodiscard]] TriangleMesh cutBoxMesh(const Eigen::Vector3d& low, const Eigen::Vector3d& high,
+                                      int cuts = 8);
 
 /// Every triangle wound the other way.
 [[nodiscard]] TriangleMesh insideOut(TriangleMesh mesh);

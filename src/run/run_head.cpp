@@ -76,8 +76,10 @@ ColourRange colourRange(const Scene& scene, const ColourFacts& facts)
         return {0, std::max(1.0, facts.groups - 1)};
     case ColumnScale::fall:
         return {0, scene.motion.gravity * facts.fallSeconds};
-    default: // of what else has no scale of its own, the renderer knows the range
-        return column != nullptr && column->name == "radius" ? facts.radii : ColourRange{};
+    case ColumnScale::radii:
+        return facts.radii;
+    default:
+        return {}; // the renderer knows
     }
 }
 

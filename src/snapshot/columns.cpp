@@ -104,6 +104,7 @@ std::vector<Column> fixedColumns()
          .help = "radii, in the unit of the mesh",
          .type = ColumnType::float64,
          .changes = ColumnChanges::never,
+         .scale = ColumnScale::radii,
          .fixed = [](const SphereRow& row) { return row.radius; }},
         {.name = "id",
          .plural = "ids",

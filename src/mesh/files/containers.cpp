@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/containers.hpp"
 
+#include "base/read_number.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -54,37 +55,31 @@ TriangleMesh revolve(std::span<const ProfilePoint> profile, bool isRing)
     return mesh;
 }
 
-TriangleMesh boxMesh(double width, double height, double depth)
-{
-    TriangleMesh mesh;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-        mesh.vertices.emplace_back(((corner & 1) - 0.5) * width, ((corner >> 1) & 1) * height,
-                                   ((corner >> 2) - 0.5) * depth);
-    }
-    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 4, 2}, {2, 4, 6},
-                      {1, 3, 5}, {3, 7, 5}, {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7}};
-    return mesh;
-}
-
 /// Empty unless they are as many as the shape has, each above 0.
 std::vector<double> lengthsOf(const ContainerShape& shape, std::string_view text)
 {
-    std::vector<double> lengths;
-    const char* at = text.data() + shape.name.size();
-    const char* const end = text.data() + text.size();
-    while (at != end && (*at == ':' || *at == ','))
-    {
-        const auto [stop, error] = std::from_chars(at + 1, end, lengths.emplace_back());
-        at = error == std::errc() ? stop : end;
-    }
+    const auto lengths =
+        readNumbers(text.substr(shape.name.size() + 1)).value_or(std::vector<double>());
     const auto isLength = [](double length) { return length > 0 && std::isfinite(length); };
-    const bool areGood = at == end && lengths.size() == shape.lengths &&
-                         std::all_of(lengths.begin(), lengths.end(), isLength);
+    const bool areGood =
+        lengths.size() == shape.lengths && std::all_of(lengths.begin(), lengths.end(), isLength);
     return areGood ? lengths : std::vector<double>();
 }
 
 } // namespace
+
+TriangleMesh boxMesh(const Eigen::AlignedBox3d& box)
+{
+    TriangleMesh mesh;
+    for (int corner = 0; corner < 8; ++corner) // bit k: at the high end of axis k
+    {
+        mesh.vertices.emplace_back(
+            box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    }
+    mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                      {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+    return mesh;
+}
 
 const ContainerShape* findContainer(std::string_view text)
 {
@@ -113,7 +108,8 @@ TriangleMesh containerMesh(const ContainerShape& shape, std::string_view text)
     }
     if (shape.name == "box")
     {
-        return boxMesh(size[0], size[1], size[2]);
+        return boxMesh({Eigen::Vector3d(-size[0] / 2, 0, -size[2] / 2),
+                        Eigen::Vector3d(size[0] / 2, size[1], size[2] / 2)});
     }
     if (shape.name == "cylinder")
     {

@@ -6,8 +6,8 @@
 namespace frostfill
 {
 
-/// What the walls of a closed mesh enclose without filling it: closed shells within another, and
-/// the insides of vessels that are open, such as cups and hoppers.
+/// The space that the walls of a closed mesh enclose but do not fill: closed shells within another,
+/// and the insides of open vessels, such as cups and hoppers.
 struct Cavity
 {
     TriangleMesh surface;  ///< the walls' triangles that face it, turned to be wound outwards

@@ -177,7 +177,7 @@ void addCrowds(Matrix& matrix, bool quick)
                    [ratio](StressRun& run)
                    {
                        // The cost of looking for places grows with the volume over the smallest's.
-                       run.mesh = boxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
+                       run.mesh = cutBoxMesh({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5});
                        run.scene.spheres.radius = Radii(0.2 / ratio, 0.2);
                    });
     }
@@ -267,7 +267,7 @@ void addReleases(Matrix& matrix)
         matrix.add("released", label, expected,
                    [=](StressRun& run)
                    {
-                       run.mesh = boxMesh({-1, -1, -1}, {1, 1, 1}, cuts);
+                       run.mesh = cutBoxMesh({-1, -1, -1}, {1, 1, 1}, cuts);
                        run.placed = spheres;
                        run.scene.spheres.radius = spheres.front().radius;
                        run.scene.spheres.count = spheres.size();
@@ -307,7 +307,7 @@ void addFits(Matrix& matrix)
                        run.scene.spheres.count = count;
                    });
     };
-    const TriangleMesh slot = boxMesh({-kRadius, -1, -1}, {kRadius, 1, 1});
+    const TriangleMesh slot = cutBoxMesh({-kRadius, -1, -1}, {kRadius, 1, 1});
     const TriangleMesh cube = builtInMesh("cube");
     fit("= half gap", Expectation::either, slot, kRadius, 20);
     fit("gap - 1e-9", Expectation::either, slot, kRadius * (1 - 1e-9), 20);

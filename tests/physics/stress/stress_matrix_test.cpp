@@ -36,7 +36,7 @@ const StressMethod& methodNamed(const std::string& name)
 
 TEST(StressMeshes, EncloseTheVolumeTheyShould)
 {
-    const TriangleMesh box = boxMesh({-1, -2, -3}, {1, 2, 3}, 4);
+    const TriangleMesh box = cutBoxMesh({-1, -2, -3}, {1, 2, 3}, 4);
     EXPECT_NEAR(signedVolume(box), 48, 1e-12);
     EXPECT_TRUE(inspectMesh(box).closed());
     EXPECT_NEAR(signedVolume(insideOut(box)), -48, 1e-12);

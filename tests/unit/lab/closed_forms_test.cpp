@@ -40,7 +40,7 @@ TEST(ClosedForms, HoldOnlyWhenAPredictionIsMetOrABoundIsKept)
 
 TEST(FreezingBySet, PacksMoreDenselyTheMoreLayersASetHas)
 {
-    const TriangleMesh mesh = boxMesh({-6, -6, -6}, {6, 6, 6}, 4);
+    const TriangleMesh mesh = cutBoxMesh({-6, -6, -6}, {6, 6, 6}, 4);
     double last = 0;
     for (const std::uint32_t setSize : {4u, 60u, 240u})
     {

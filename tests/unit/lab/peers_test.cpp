@@ -17,7 +17,7 @@ namespace
 PeerTask taskInABox(std::size_t count)
 {
     PeerTask task;
-    task.mesh = boxMesh({-6, -6, -6}, {6, 6, 6}, 2);
+    task.mesh = cutBoxMesh({-6, -6, -6}, {6, 6, 6}, 2);
     task.count = count;
     task.secondsLimit = 10;
     return task;
@@ -26,7 +26,7 @@ PeerTask taskInABox(std::size_t count)
 TEST(Peers, PourSpheresClearOfEachOtherAndOfTheWalls)
 {
     PeerTask task;
-    task.mesh = boxMesh({-6, -6, -6}, {6, 6, 6}, 1);
+    task.mesh = cutBoxMesh({-6, -6, -6}, {6, 6, 6}, 1);
     task.count = 60;
     Pouring pouring(task);
     std::vector<Eigen::Vector3d> all = pouring.next({});

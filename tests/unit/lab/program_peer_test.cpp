@@ -54,7 +54,7 @@ class ProgramPeers : public testing::Test
 protected:
     ProgramPeers()
     {
-        task_.mesh = boxMesh({-6, -6, -6}, {6, 6, 6}, 2);
+        task_.mesh = cutBoxMesh({-6, -6, -6}, {6, 6, 6}, 2);
         task_.count = 5;
         task_.restitution = 0.2;
         task_.secondsLimit = 3; // and ten times that by the clock
