@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
+#include "app/progress/message.hpp"
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
 #include "app/text/result_text.hpp"
@@ -48,7 +49,7 @@ void printResult(const ExportResult& result)
     const std::size_t others = result.files.size() - 1;
     std::string line = result.files.front().string();
     line += others > 0 ? fmt::format(" and {} files beside it", others) : "";
-    line += fmt::format(": {} {}", result.frames, result.frames == 1 ? "frame" : "frames");
+    line += fmt::format(": {}", counted(result.frames, "frame"));
     line += result.repeats > 0 ? fmt::format(" ({} more show the same times)", result.repeats) : "";
     line += fmt::format(", {} spheres, {:.3g} MB", result.spheres,
                         static_cast<double>(result.bytes) / 1e6);

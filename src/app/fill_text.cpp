@@ -131,7 +131,7 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
     say(reachText(plan.reach, plan.smallestRadius, plan.volume));
     if (request.scene.frames.enabled)
     {
-        say(fmt::format("expecting about {} frames of {}x{}, {}{}\n", plan.frames,
+        say(fmt::format("expecting about {} of {}x{}, {}{}\n", counted(plan.frames, "frame"),
                         request.scene.size.width, request.scene.size.height,
                         bytesText(plan.frameBytes), playbackText(request.scene, plan)));
     }
@@ -193,11 +193,11 @@ void printResult(const Scene& scene, const FillResult& result)
         fmt::print("{} of the {} pictures were there already\n", result.skippedFrames,
                    result.frames);
     }
-    fmt::print("{} spheres of {} take {:.1f} % of the volume; {} frames; {:.1f} s; "
+    fmt::print("{} spheres of {} take {:.1f} % of the volume; {}; {:.1f} s; "
                "results in {}\n",
                result.spheres, radiiText(result.smallestRadius, result.largestRadius),
-               100 * result.quality.sphereVolume / result.quality.meshVolume, result.frames,
-               result.wallSeconds, result.directory.string());
+               100 * result.quality.sphereVolume / result.quality.meshVolume,
+               counted(result.frames, "frame"), result.wallSeconds, result.directory.string());
 }
 
 } // namespace frostfill

@@ -49,19 +49,20 @@ void printResult(const RenderArguments& arguments, const RenderResult& result)
 {
     if (result.wholeBytes < result.fileBytes)
     {
-        say(fmt::format("{} is incomplete: {} of its {} bytes can be read, with {} frames; the "
+        say(fmt::format("{} is incomplete: {} of its {} bytes can be read, with {}; the "
                         "rest is left out\n",
-                        arguments.run, result.wholeBytes, result.fileBytes, result.keptFrames));
+                        arguments.run, result.wholeBytes, result.fileBytes,
+                        counted(result.keptFrames, "frame")));
     }
     else if (!result.ended)
     {
-        say(fmt::format("the run in {} has not ended: there are {} frames so far\n", arguments.run,
-                        result.keptFrames));
+        say(fmt::format("the run in {} has not ended: it has {} so far\n", arguments.run,
+                        counted(result.keptFrames, "frame")));
     }
     if (arguments.request.dryRun)
     {
-        fmt::print("nothing was written; {} pictures would be drawn into {}\n", result.frames,
-                   result.directory.string());
+        fmt::print("nothing was written; {} would be drawn into {}\n",
+                   counted(result.frames, "picture"), result.directory.string());
         return;
     }
     if (arguments.request.gather)
@@ -69,8 +70,10 @@ void printResult(const RenderArguments& arguments, const RenderResult& result)
         fmt::print("all {} pictures are in {}\n", result.allFrames, result.directory.string());
         return;
     }
-    fmt::print("{}{} pictures{}; {:.1f} s; results in {}\n", result.frames,
-               result.frames < result.allFrames ? fmt::format(" of {}", result.allFrames) : "",
+    fmt::print("{}{}; {:.1f} s; results in {}\n",
+               result.frames < result.allFrames
+                   ? fmt::format("{} of {}", result.frames, counted(result.allFrames, "picture"))
+                   : counted(result.frames, "picture"),
                result.skippedFrames > 0
                    ? fmt::format(", of which {} were there already", result.skippedFrames)
                    : "",
