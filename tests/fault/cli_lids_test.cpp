@@ -89,6 +89,33 @@ TEST_F(OpenMeshes, FillWithALidAndTheSummaryRepeatsIt)
     EXPECT_EQ(first["state_hash"], second["state_hash"]);
 }
 
+TEST_F(OpenMeshes, AreClosedByAFileWithTheirLid)
+{
+    fs::create_directory(folder_ / "tub");
+    fs::copy(folder_ / "tub.obj", folder_ / "tub/wall.obj");
+    writeFile(folder_ / "tub/lid.obj", "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nf 1 4 3 2\n");
+    std::vector<std::string> hashes;
+    for (const char* arguments : {"fill tub --out a", "fill tub/lid.obj tub/wall.obj --out b",
+                                  "fill b/summary.json --out c", "fill d.toml --out d"})
+    {
+        writeFile(folder_ / "d.toml", "object.mesh = 'tub/lid.obj+tub/wall.obj'\n");
+        const Answer answer =
+            run(std::string(arguments) + " --count 20 --seed 1 --frames none --quiet");
+        ASSERT_EQ(answer.code, 0) << answer.errors;
+        const auto summary = nlohmann::json::parse(
+            readFile(folder_ / std::string(1, arguments[std::string(arguments).size() - 1]) /
+                     "summary.json"));
+        EXPECT_NEAR(summary["error"]["volume_mesh"], 8, 1e-12);
+        hashes.push_back(summary["state_hash"]);
+    }
+    EXPECT_EQ(std::count(hashes.begin(), hashes.end(), hashes[0]), 4);
+    EXPECT_NE(run("mesh tub/lid.obj tub/wall.obj").output.find("can be filled"), std::string::npos);
+    expectRefused("fill tub.obj none.obj", 64, "'none.obj' is no file");
+    expectRefused("fill torus tub.obj", 64, "'torus' is no file");
+    EXPECT_EQ(run("fill tub/lid.obj tub/wall.obj --count 3 --frames none --quiet").code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "output/lid/summary.json")); // the name of the first
+}
+
 TEST_F(OpenMeshes, FillByASceneThatAsksForALid)
 {
     writeFile(folder_ / "scene.toml", "[object]\nmesh = \"tub.obj\"\nlid = true\nwrap = \"none\"\n"
