@@ -94,17 +94,15 @@ TEST_F(OpenMeshes, AreClosedByAFileWithTheirLid)
     fs::create_directory(folder_ / "tub");
     fs::copy(folder_ / "tub.obj", folder_ / "tub/wall.obj");
     writeFile(folder_ / "tub/lid.obj", "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nf 1 4 3 2\n");
+    writeFile(folder_ / "tub/scene.toml", "object.mesh = 'lid.obj+wall.obj'\n");
     std::vector<std::string> hashes;
-    for (const char* arguments : {"fill tub --out a", "fill tub/lid.obj tub/wall.obj --out b",
-                                  "fill b/summary.json --out c", "fill d.toml --out d"})
+    for (const std::string mesh :
+         {"tub", "tub/lid.obj tub/wall.obj", "out/summary.json", "tub/scene.toml"})
     {
-        writeFile(folder_ / "d.toml", "object.mesh = 'tub/lid.obj+tub/wall.obj'\n");
-        const Answer answer =
-            run(std::string(arguments) + " --count 20 --seed 1 --frames none --quiet");
+        const Answer answer = run(
+            "fill " + mesh + " --out out --overwrite --count 20 --seed 1 --frames none --quiet");
         ASSERT_EQ(answer.code, 0) << answer.errors;
-        const auto summary = nlohmann::json::parse(
-            readFile(folder_ / std::string(1, arguments[std::string(arguments).size() - 1]) /
-                     "summary.json"));
+        const auto summary = nlohmann::json::parse(readFile(folder_ / "out/summary.json"));
         EXPECT_NEAR(summary["error"]["volume_mesh"], 8, 1e-12);
         hashes.push_back(summary["state_hash"]);
     }
