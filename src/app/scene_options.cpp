@@ -9,7 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string_view>
 
 namespace frostfill
@@ -157,19 +156,7 @@ CLI::Option* addMeshArgument(CLI::App& command, const char* name, std::string& m
                              const std::string& help)
 {
     const auto take = [&mesh](const std::vector<std::string>& names)
-    {
-        for (const std::string& each : names)
-        {
-            if (names.size() > 1 && !std::filesystem::is_regular_file(each))
-            {
-                throw Error(ErrorCode::usage,
-                            fmt::format("'{}' is no file: of several names each must be a file, "
-                                        "which is a patch of the mesh",
-                                        each));
-            }
-        }
-        mesh = fmt::format("{}", fmt::join(names, "+"));
-    };
+    { mesh = fmt::format("{}", fmt::join(names, "+")); };
     return command.add_option_function<std::vector<std::string>>(name, take, help);
 }
 

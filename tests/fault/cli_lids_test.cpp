@@ -108,8 +108,8 @@ TEST_F(OpenMeshes, AreClosedByAFileWithTheirLid)
     }
     EXPECT_EQ(std::count(hashes.begin(), hashes.end(), hashes[0]), 4);
     EXPECT_NE(run("mesh tub/lid.obj tub/wall.obj").output.find("can be filled"), std::string::npos);
-    expectRefused("fill tub.obj none.obj", 64, "'none.obj' is no file");
-    expectRefused("fill torus tub.obj", 64, "'torus' is no file");
+    expectRefused("fill tub.obj none.obj --count 3", 66, "there is no file 'none.obj'");
+    expectRefused("fill torus tub.obj --count 3", 66, "there is no file 'torus': give one mesh");
     EXPECT_EQ(run("fill tub/lid.obj tub/wall.obj --count 3 --frames none --quiet").code, 0);
     EXPECT_TRUE(fs::exists(folder_ / "output/lid/summary.json")); // the name of the first
 }

@@ -61,8 +61,19 @@ std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path& give
     {
         return {given};
     }
-    const std::vector<std::string_view> parts = partsOf(name, '+');
-    return {parts.begin(), parts.end()};
+    std::vector<std::filesystem::path> files;
+    for (const std::string_view part : partsOf(name, '+'))
+    {
+        files.emplace_back(part);
+        if (!std::filesystem::is_regular_file(files.back(), ignored))
+        {
+            throw Error(ErrorCode::inputMissing,
+                        fmt::format("there is no file '{}': give one mesh, or several files, which "
+                                    "are its patches",
+                                    part));
+        }
+    }
+    return files;
 }
 
 } // namespace frostfill
