@@ -27,7 +27,7 @@ std::string_view attribute(std::string_view tag, std::string_view name)
     return {};
 }
 
-std::uint64_t countOf(std::string_view tag, std::string_view name)
+std::uint64_t countIn(std::string_view tag, std::string_view name)
 {
     const auto number = readNumber<std::uint64_t>(attribute(tag, name));
     if (!number)
@@ -148,7 +148,7 @@ public:
         {
             VtkPiece piece;
             piece.points = numbers(each, "Points", "");
-            const std::uint64_t promised = countOf(each.tag, "NumberOfPoints");
+            const std::uint64_t promised = countIn(each.tag, "NumberOfPoints");
             if (piece.points.size() / 3 != promised)
             {
                 throw Unreadable(fmt::format("it promises {} points and holds {}; export the mesh "
@@ -220,7 +220,7 @@ private:
         }
         const bool isAppended = format == "appended";
         const std::string_view from = isAppended ? appended_ : array->content;
-        const std::uint64_t offset = isAppended ? countOf(array->tag, "offset") : 0;
+        const std::uint64_t offset = isAppended ? countIn(array->tag, "offset") : 0;
         // Behind the underscore.
         ByteSource source(
             from.substr(std::min<std::uint64_t>(offset + (isAppended ? 1 : 0), from.size())),

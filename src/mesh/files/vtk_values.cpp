@@ -23,7 +23,7 @@ constexpr VtkType typeOf(std::string_view word, std::string_view name)
     return {word, name, sizeof(Number), &loadAsDouble<Number>};
 }
 
-constexpr std::array<VtkType, 13> kTypes = {{
+constexpr std::array<VtkType, 13> kVtkTypes = {{
     typeOf<float>("float", "Float32"),
     typeOf<double>("double", "Float64"),
     typeOf<std::int8_t>("char", "Int8"),
@@ -50,10 +50,10 @@ constexpr double kQuad = 9;
 const VtkType& vtkType(std::string_view name)
 {
     const auto* const found =
-        std::find_if(kTypes.begin(), kTypes.end(),
+        std::find_if(kVtkTypes.begin(), kVtkTypes.end(),
                      [&](const VtkType& type)
                      { return !name.empty() && (type.word == name || type.name == name); });
-    if (found == kTypes.end())
+    if (found == kVtkTypes.end())
     {
         throw Unreadable(fmt::format("its numbers have the type {}, which VTK does not have; "
                                      "export the mesh again",
