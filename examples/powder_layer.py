@@ -63,5 +63,5 @@ for sieve, asked, lies in zip(sieves, passing, found):
 analysis = frostfill.analyse(run.centres, run.radii, run.vertices, run.triangles, only=["porosity", "sizes"],
                              bins=10, samples=1 << 17)
 fraction = 4 / 3 * np.pi * mass.sum() / (WIDE * WIDE * DEEP)
-middle = 1 - analysis.porosity_height[3:6, 2].mean()
+middle = 1 - analysis.porosity_height["porosity"][3:6].mean()
 print(f"the grains take {fraction:.3f} of the tray, {middle:.3f} in the middle of its depth")

@@ -53,9 +53,9 @@ print(f"{len(run.radii)} spheres")
 analysis = frostfill.analyse(run.centres, run.radii, run.vertices, run.triangles, only="porosity",
                              bins=100, samples=1 << 19)
 rings = analysis.porosity_radial
-z = (1 - rings[:, :2].mean(axis=1)) / (2 * radius)
-found = rings[:, 2]
-shares = rings[:, 4] / rings[:, 4].sum()
+z = (1 - (rings["from"] + rings["to"]) / 2) / (2 * radius)
+found = rings["porosity"]
+shares = rings["object_volume"] / rings["object_volume"].sum()
 
 # %% [markdown]
 # ## The correlations
@@ -87,8 +87,8 @@ mueller = far + (1 - far) * bessel((8.243 - 12.98 / (RATIO + 3.156)) * z) * np.e
 
 # %%
 slabs = analysis.porosity_height
-in_the_middle = (slabs[:, 0] > 6 * radius) & (slabs[:, 1] < height - 6 * radius)
-middle = slabs[in_the_middle, 2].mean()
+in_the_middle = (slabs["from"] > 6 * radius) & (slabs["to"] < height - 6 * radius)
+middle = slabs["porosity"][in_the_middle].mean()
 benyahia = 0.390 + 1.740 / (RATIO + 1.140) ** 2
 print(f"porosity of the middle {middle:.3f}; Benyahia and O'Neill {benyahia:.3f}")
 

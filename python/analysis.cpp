@@ -9,11 +9,9 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <tuple>
 #include <vector>
 
 namespace py = pybind11;
@@ -82,19 +80,20 @@ AnalysisSettings settingsOf(const py::dict& given)
 }
 
 Owner analyse(const py::object& centres, const py::object& radii, const py::object& mesh,
-              const py::object& vertices, const py::object& triangles, const py::dict& given,
-              const py::kwargs& keywords)
+              const py::object& vertices, const py::object& triangles, const py::object& box,
+              bool periodic, const py::dict& given, const py::kwargs& keywords)
 {
     Scene scene;
     GivenKeywords(keywords, OptionUse::loading, "analyse").apply(scene);
-    const AnalysisSettings settings = settingsOf(given);
+    AnalysisSettings settings = settingsOf(given);
     Packing packing;
     packing.centres = readPoints(centres, "centres");
     packing.radii = readRadii(radii, packing.centres.size());
-    const GivenMesh object = readGivenMesh(mesh, vertices, triangles);
+    const GivenContainer container(mesh, vertices, triangles, box, periodic);
     const py::gil_scoped_release release;
-    return std::make_shared<PackingAnalysis>(
-        analysePacking(object.load(scene.object.load).mesh, packing, settings));
+    const PackingWalls walls = container.load(scene.object.load);
+    settings.bounds = walls.bounds;
+    return std::make_shared<PackingAnalysis>(analysePacking(walls.mesh, packing, settings));
 }
 
 /// A part of an analysis. Throws Error usage if it was not asked for.
@@ -110,38 +109,12 @@ const Part& partOf(const std::optional<Part>& part, const char* name)
     return *part;
 }
 
-/// [rows, columns] of what rowOf gives of each.
-template <class Row, class RowOf>
-py::array tableOf(const std::vector<Row>& rows, RowOf&& rowOf)
+/// A row of `network` in Python.
+struct NetworkRow
 {
-    constexpr std::size_t kColumns = std::tuple_size_v<decltype(rowOf(rows[0]))>;
-    py::array_t<double> table({rows.size(), kColumns});
-    for (std::size_t k = 0; k < rows.size(); ++k)
-    {
-        const auto row = rowOf(rows[k]);
-        std::copy(row.begin(), row.end(), table.mutable_data(k, 0));
-    }
-    return table;
-}
-
-py::array porosityTable(const std::vector<PorosityBin>& bins)
-{
-    return tableOf(
-        bins,
-        [](const PorosityBin& bin) {
-            return std::array{bin.from, bin.to, bin.porosity, bin.error, bin.objectVolume};
-        });
-}
-
-py::array sizesTable(const std::vector<SizeBin>& bins)
-{
-    return tableOf(bins,
-                   [](const SizeBin& bin)
-                   {
-                       return std::array{bin.from, bin.to, static_cast<double>(bin.spheres),
-                                         bin.meanRadius, bin.deviation};
-                   });
-}
+    std::uint32_t first, second;
+    double gap;
+};
 
 using Class = py::class_<PackingAnalysis, Owner>;
 
@@ -196,16 +169,52 @@ void addSpheres(Class& type)
         "q6", [order](const A& a) -> auto& { return order(a).q6; }, "float64 [n]");
 }
 
+/// What of each sphere is there.
+py::array spheresTable(const py::object& self)
+{
+    const auto& a = *self.cast<Owner>();
+    py::dict columns;
+    const auto add = [&](const char* column, const char* property, bool isThere = true)
+    {
+        if (isThere)
+        {
+            columns[column] = self.attr(property);
+        }
+    };
+    add("id", "ids");
+    add("centres", "centres");
+    add("radius", "radii");
+    add("wall_distance", "wall_distances");
+    add("depth", "depths");
+    add("sphere_contacts", "sphere_contacts", a.contacts.has_value());
+    add("wall_contacts", "wall_contacts", a.contacts.has_value());
+    add("rattler", "rattlers", a.contacts.has_value());
+    add("cell", "cells", a.cells.has_value());
+    add("cell_volume", "cell_volumes", a.cells.has_value());
+    add("local_fraction", "local_fractions", a.cells.has_value());
+    add("bonds", "bonds", a.order.has_value());
+    add("q6", "q6", a.order.has_value());
+    return namedTable(columns);
+}
+
 void addTables(Class& type)
 {
-    using A = PackingAnalysis;
+    PYBIND11_NUMPY_DTYPE_EX(PorosityBin, from, "from", to, "to", porosity, "porosity", error,
+                            "error", objectVolume, "object_volume");
+    PYBIND11_NUMPY_DTYPE_EX(SizeBin, from, "from", to, "to", spheres, "spheres", meanRadius,
+                            "mean_radius", deviation, "deviation");
+    PYBIND11_NUMPY_DTYPE(PairBin, from, to, g, neighbours);
+    PYBIND11_NUMPY_DTYPE(NetworkRow, first, second, gap);
+    type.def_property_readonly("table", &spheresTable,
+                               "structured array [n] of id, x, y, z, radius, ... of each sphere: "
+                               "pandas.DataFrame takes it as it is");
     const auto porosity = [&](const char* name, std::vector<PorosityBin> PorosityProfiles::*profile)
     {
         type.def_property_readonly(
             name,
-            [profile](const A& a)
-            { return porosityTable(partOf(a.porosity, "porosity").*profile); },
-            "float64 [rows, 5] from, to, porosity, its standard error, volume of the object there");
+            [profile](const Owner& a) { return view(a, partOf(a->porosity, "porosity").*profile); },
+            "structured array of from, to, porosity, error (its standard error), object_volume "
+            "(there)");
     };
     porosity("porosity_height", &PorosityProfiles::height);
     porosity("porosity_radial", &PorosityProfiles::radial);
@@ -213,42 +222,39 @@ void addTables(Class& type)
     const auto sizes = [&](const char* name, std::vector<SizeBin> SizeProfiles::*profile)
     {
         type.def_property_readonly(
-            name, [profile](const A& a) { return sizesTable(partOf(a.sizes, "sizes").*profile); },
-            "float64 [rows, 5] from, to, spheres, mean radius, standard deviation of the radii");
+            name, [profile](const Owner& a) { return view(a, partOf(a->sizes, "sizes").*profile); },
+            "structured array of from, to, spheres, mean_radius, deviation (of the radii)");
     };
     sizes("sizes_height", &SizeProfiles::height);
     sizes("sizes_radial", &SizeProfiles::radial);
     type.def_property_readonly(
-        "pairs",
-        [](const A& a)
-        {
-            return tableOf(partOf(a.pairs, "pairs").bins,
-                           [](const PairBin& bin) {
-                               return std::array{bin.from, bin.to, bin.g, bin.neighbours};
-                           });
-        },
-        "float64 [rows, 4] from, to, g(r), neighbours up to `to`");
+        "pairs", [](const Owner& a) { return view(a, partOf(a->pairs, "pairs").bins); },
+        "structured array of from, to, g, neighbours (up to `to`)");
     type.def_property_readonly(
         "network",
-        [](const A& a)
+        [](const PackingAnalysis& a)
         {
-            return tableOf(partOf(a.contacts, "contacts").network,
-                           [](const SphereContact& contact)
-                           {
-                               return std::array{static_cast<double>(contact.first),
-                                                 static_cast<double>(contact.second), contact.gap};
+            const auto& network = partOf(a.contacts, "contacts").network;
+            py::array_t<NetworkRow> rows(static_cast<py::ssize_t>(network.size()));
+            std::transform(network.begin(), network.end(), rows.mutable_data(),
+                           [](const SphereContact& contact) {
+                               return NetworkRow{contact.first, contact.second, contact.gap};
                            });
+            return rows;
         },
-        "float64 [contacts, 3] rows of the two spheres in the lists, and the gap between them");
+        "structured array [contacts] of first, second (rows of the two spheres in the lists) and "
+        "gap");
     type.def_property_readonly(
         "forces",
-        [](const A& a)
+        [](const PackingAnalysis& a)
         {
-            return tableOf(
-                partOf(a.contacts, "contacts").network,
-                [](const SphereContact& contact) {
-                    return std::array{contact.force.x(), contact.force.y(), contact.force.z()};
-                });
+            const auto& network = partOf(a.contacts, "contacts").network;
+            py::array_t<double> forces({network.size(), std::size_t{3}});
+            for (std::size_t k = 0; k < network.size(); ++k)
+            {
+                std::copy_n(network[k].force.data(), 3, forces.mutable_data(k, 0));
+            }
+            return forces;
         },
         "float64 [contacts, 3] [weight of a mean sphere] on the first sphere of each row of "
         "network, if forces were asked for; what they leave is summary's largest_unbalance");

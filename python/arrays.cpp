@@ -144,4 +144,35 @@ TriangleMesh readMesh(py::handle vertices, py::handle triangles)
     return mesh;
 }
 
+py::array namedTable(const py::dict& columns)
+{
+    py::dict flat;
+    for (const auto& [name, column] : columns)
+    {
+        const auto array = py::cast<py::array>(column);
+        for (int axis = 0; axis < 3 && array.ndim() == 2; ++axis)
+        {
+            flat[py::str(std::string(1, static_cast<char>('x' + axis)))] =
+                array[py::make_tuple(py::ellipsis(), axis)];
+        }
+        if (array.ndim() == 1)
+        {
+            flat[name] = array;
+        }
+    }
+    py::list fields;
+    py::ssize_t rows = 0;
+    for (const auto& [name, column] : flat)
+    {
+        fields.append(py::make_tuple(name, column.attr("dtype")));
+        rows = static_cast<py::ssize_t>(py::len(column));
+    }
+    py::array table(py::dtype::from_args(fields), std::vector<py::ssize_t>{rows});
+    for (const auto& [name, column] : flat)
+    {
+        table[name] = column;
+    }
+    return table;
+}
+
 } // namespace frostfill::python

@@ -21,6 +21,10 @@ namespace frostfill::python
 /// [#V x 3] and [#T x 3]. Throws Error usage for an index without a vertex as well.
 [[nodiscard]] TriangleMesh readMesh(pybind11::handle vertices, pybind11::handle triangles);
 
+/// A structured array with these columns, which pandas takes as it is: by name an array of [n], or
+/// of [n, 3], which becomes x, y and z.
+[[nodiscard]] pybind11::array namedTable(const pybind11::dict& columns);
+
 /// A read-only array of `data` without a copy. It keeps the owner, and so the data, alive.
 template <class T, class Owner>
 pybind11::array view(const std::shared_ptr<Owner>& owner, const T* data,

@@ -5,6 +5,7 @@
 #include "keywords.hpp"
 #include "values.hpp"
 
+#include <frostfill/analysis.hpp>
 #include <frostfill/error.hpp>
 
 #include <atomic>
@@ -27,6 +28,22 @@ struct GivenMesh
     }
 };
 
+/// A mesh by its name or file, or by a list of files, which are patches of it.
+[[nodiscard]] inline std::string meshNameOf(pybind11::handle mesh)
+{
+    const bool several = PyList_Check(mesh.ptr()) != 0 || PyTuple_Check(mesh.ptr()) != 0;
+    if (!several || pybind11::len(mesh) == 0)
+    {
+        return pathOf(mesh, "mesh");
+    }
+    std::string name;
+    for (const pybind11::handle part : pybind11::list(mesh.cast<pybind11::object>()))
+    {
+        name += (name.empty() ? "" : "+") + pathOf(part, "mesh");
+    }
+    return name;
+}
+
 /// Reads one of `mesh` and the pair of arrays; the others are None. Throws Error usage.
 [[nodiscard]] inline GivenMesh readGivenMesh(pybind11::handle mesh, pybind11::handle vertices,
                                              pybind11::handle triangles)
@@ -37,8 +54,44 @@ struct GivenMesh
         throw Error(ErrorCode::usage, "give a mesh, by name or file, or vertices and triangles");
     }
     return arrays ? GivenMesh{"arrays", readMesh(vertices, triangles)}
-                  : GivenMesh{pathOf(mesh, "mesh")};
+                  : GivenMesh{meshNameOf(mesh)};
 }
+
+/// What a packing is in: a mesh, or a box.
+class GivenContainer
+{
+public:
+    /// Throws Error usage unless there is one of them.
+    GivenContainer(pybind11::handle mesh, pybind11::handle vertices, pybind11::handle triangles,
+                   const pybind11::object& box, bool periodic)
+    {
+        if (box.is_none() && periodic)
+        {
+            throw Error(ErrorCode::usage, "periodic needs a box");
+        }
+        const bool hasMesh = !mesh.is_none() || !vertices.is_none() || !triangles.is_none();
+        if (!box.is_none() && hasMesh)
+        {
+            throw Error(ErrorCode::usage, "give a mesh or a box, not both");
+        }
+        if (box.is_none())
+        {
+            mesh_ = readGivenMesh(mesh, vertices, triangles);
+            return;
+        }
+        box_ = wallsOfBox(readNumbers(box, "box"), periodic);
+    }
+
+    /// Loads or repairs the mesh. Needs no interpreter.
+    [[nodiscard]] PackingWalls load(const LoadMeshOptions& options) const
+    {
+        return box_ ? *box_ : PackingWalls{mesh_.load(options).mesh};
+    }
+
+private:
+    GivenMesh mesh_;
+    std::optional<PackingWalls> box_;
+};
 
 /// Keeps a second thread out of what the first one uses without holding the interpreter.
 class ExclusiveUse

@@ -18,8 +18,8 @@ namespace
 {
 
 QualityReport check(const py::object& centres, const py::object& radii, const py::object& mesh,
-                    const py::object& vertices, const py::object& triangles,
-                    const py::object& atRest, const py::kwargs& keywords)
+                    const py::object& vertices, const py::object& triangles, const py::object& box,
+                    bool periodic, const py::object& atRest, const py::kwargs& keywords)
 {
     Scene scene;
     GivenKeywords(keywords, OptionUse::judging, "check").apply(scene);
@@ -39,9 +39,9 @@ QualityReport check(const py::object& centres, const py::object& radii, const py
         }
         packing.atRest.assign(flags.data(), flags.data() + flags.size());
     }
-    const GivenMesh given = readGivenMesh(mesh, vertices, triangles);
+    const GivenContainer container(mesh, vertices, triangles, box, periodic);
     const py::gil_scoped_release release;
-    return judgePacking(given.load(scene.object.load).mesh, packing, scene.object.up, scene.judge);
+    return judgePacking(container.load(scene.object.load), packing, scene.object.up, scene.judge);
 }
 
 /// Centres, radii, whether each is at rest, and what the file is.

@@ -15,7 +15,7 @@ from frostfill._keywords import _annotation  # noqa: E402
 HEAD = '''# SPDX-License-Identifier: MIT
 # Printed by python/make_stub.py from the module; a test compares. Do not edit.
 import enum
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypedDict, Unpack
@@ -38,7 +38,7 @@ TYPES = [
     (r"\bobject\b|\bhandle\b", "Any"),
 ]
 # Properties of arrays say their type in the first word of their help.
-ARRAY = re.compile(r"(u?int\d+|float\d+) \[")
+ARRAY = re.compile(r"(u?int\d+|float\d+) \[|(structured) array")
 
 
 def stub_type(text):
@@ -102,7 +102,7 @@ def property_type(value):
         return stub_type(getter.__annotations__.get("return", "Any"))
     array = ARRAY.match((value.__doc__ or "").strip())
     if array:
-        return f"NDArray[numpy.{array.group(1)}]"
+        return f"NDArray[numpy.{'void' if array.group(2) else array.group(1)}]"
     return stub_type((getter.__doc__ or "").split("\n")[0].rpartition("-> ")[2]) or "Any"
 
 

@@ -130,7 +130,7 @@ FillRequest readFillRequest(const py::object& mesh, const py::object& vertices,
         request.scene = loadRunScene(pathOf(sceneFile, "scene"));
         if (!mesh.is_none())
         {
-            request.scene.object.mesh = pathOf(mesh, "mesh");
+            request.scene.object.mesh = meshNameOf(mesh);
         }
         given.apply(request.scene);
     }
@@ -153,11 +153,21 @@ FillRequest readFillRequest(const py::object& mesh, const py::object& vertices,
     return request;
 }
 
+/// What share of its work a run has done: spheres appear and come to rest, and then are drawn.
+double shareOf(const FillProgress& now)
+{
+    const auto [done, all] = now.pictures > 0
+                                 ? std::pair(now.frames, now.pictures)
+                                 : std::pair(now.spheres + now.resting, 2 * now.expected);
+    return std::min(1.0,
+                    static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(all, 1)));
+}
+
 /// Does what the command fill does. Returns what went wrong with the result, and with the video.
 py::tuple fillInto(const std::filesystem::path& directory, const py::object& mesh,
                    const py::object& vertices, const py::object& triangles,
                    const py::object& sceneFile, bool overwrite, bool resume,
-                   const py::kwargs& keywords)
+                   const py::object& progress, const py::kwargs& keywords)
 {
     FillRequest request = readFillRequest(mesh, vertices, triangles, sceneFile, keywords);
     request.directory = directory;
@@ -166,6 +176,14 @@ py::tuple fillInto(const std::filesystem::path& directory, const py::object& mes
     Interrupts interrupts;
     FillObserver observer;
     observer.stopRequested = interrupts.stopRequested();
+    if (!progress.is_none())
+    {
+        observer.progressed = [&](const FillProgress& now)
+        {
+            interrupts.report(progress, shareOf(now), now.pictures > 0, now.settles, now.spheres,
+                              now.time);
+        };
+    }
     FillResult result;
     {
         const py::gil_scoped_release release;
@@ -177,7 +195,7 @@ py::tuple fillInto(const std::filesystem::path& directory, const py::object& mes
 
 /// Does what the command render does. Returns the number of pictures.
 std::size_t drawRun(const KeptRun& run, const py::object& directory, const py::object& video,
-                    bool overwrite, const py::kwargs& keywords)
+                    bool overwrite, const py::object& progress, const py::kwargs& keywords)
 {
     const GivenKeywords given(keywords, OptionUse::pictures, "Run.draw");
     RenderRequest request;
@@ -196,6 +214,14 @@ std::size_t drawRun(const KeptRun& run, const py::object& directory, const py::o
     Interrupts interrupts;
     RenderObserver observer;
     observer.stopRequested = interrupts.stopRequested();
+    if (!progress.is_none())
+    {
+        observer.progressed = [&](std::size_t done, std::size_t all)
+        {
+            interrupts.report(progress, shareOf({.frames = done, .pictures = all}), true, false,
+                              std::size_t{0}, 0.0);
+        };
+    }
     RenderResult result;
     {
         const py::gil_scoped_release release;
@@ -350,7 +376,8 @@ void addRun(py::module_& module)
         .def_property_readonly("summary_text",
                                [](const KeptRun& r) { return r.reader().summary(); })
         .def("draw_frame", &KeptRun::render, py::arg("frame"))
-        .def("draw_into", &drawRun, py::arg("directory"), py::arg("video"), py::arg("overwrite"))
+        .def("draw_into", &drawRun, py::arg("directory"), py::arg("video"), py::arg("overwrite"),
+             py::arg("progress"))
         .def("export_into", &exportInto);
     module.def("fill_into", &fillInto);
 }

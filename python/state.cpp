@@ -66,8 +66,27 @@ void addColumns(py::class_<State, Pointer>& state)
     }
 }
 
+/// Centres and all columns that there are.
+py::array tableOf(const Pointer& s)
+{
+    py::dict columns;
+    columns["centres"] = view(s, s->centres);
+    for (const Column& column : frostfill::columns())
+    {
+        const bool kept = !column.isCarried() || s->snapshot.values(column) != nullptr;
+        if (column.python && kept)
+        {
+            columns[column.name.c_str()] = arrayOf(s, column);
+        }
+    }
+    return namedTable(columns);
+}
+
 void addArrays(py::class_<State, Pointer>& state)
 {
+    state.def_property_readonly(
+        "table", &tableOf,
+        "structured array [n] of x, y, z, radius, state, ...: pandas.DataFrame takes it as it is.");
     state.def_property_readonly(
         "centres", [](const Pointer& s) { return view(s, s->centres); },
         "float64 [n, 3]: centres of the spheres, in the unit and frame of the mesh. Sphere k "

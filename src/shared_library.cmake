@@ -21,7 +21,7 @@ target_link_options(frostfill_shared PRIVATE
     -Wl,-Bsymbolic -Wl,--version-script=${exports} -Wl,--no-undefined -Wl,--as-needed)
 target_link_libraries(frostfill_shared
     PUBLIC Eigen3::Eigen
-    PRIVATE assimp::assimp fmt::fmt tomlplusplus::tomlplusplus
+    PRIVATE assimp::assimp fmt::fmt tomlplusplus::tomlplusplus ZLIB::ZLIB
             meshoptimizer::meshoptimizer TBB::tbb
             PkgConfig::STB PkgConfig::DEFLATE PkgConfig::ISAL PkgConfig::ZSTD ${FROSTFILL_VORO} ${CMAKE_DL_LIBS})
 

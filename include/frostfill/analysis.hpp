@@ -40,6 +40,22 @@ enum class AnalysisBounds : std::uint8_t
     periodic, ///< a box along the axes that repeats in all directions: it has no walls, no cells
 };
 
+/// The container of a packing.
+struct PackingWalls
+{
+    TriangleMesh mesh;
+    AnalysisBounds bounds = AnalysisBounds::walls;
+};
+/// A box by its size, from 0 on, or by its lowest corner and its highest one: three numbers or six.
+/// Throws Error usage.
+[[nodiscard]] PackingWalls wallsOfBox(const std::vector<double>& numbers, bool periodic);
+/// A box around all spheres, which is no wall. Throws Error badData if no centre is finite.
+[[nodiscard]] PackingWalls wallsAround(const Packing& packing);
+/// judgePacking; without walls only the overlaps of spheres, and of their images in a box that
+/// repeats, mean something. Throws Error usage for a friction then.
+[[nodiscard]] QualityReport judgePacking(const PackingWalls& walls, const Packing& packing, Axis up,
+                                         const JudgeSettings& settings = {});
+
 struct AnalysisSettings
 {
     AnalysisBounds bounds = AnalysisBounds::walls;

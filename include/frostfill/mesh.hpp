@@ -108,12 +108,13 @@ struct LoadMeshOptions
 /// the mesh.
 [[nodiscard]] std::string cavityHint(const TriangleMesh& mesh, const MeshReport& report);
 
-/// Reads OBJ, STL, PLY, OFF, glTF or GLB as triangles, known by content first and then by the
-/// name's ending. Keeps every bit of the file's numbers and the order of its vertices and faces,
-/// cuts polygons into triangles, welds equal vertices, and changes nothing else. Opens no other
-/// file, except for a .bin file of a glTF in the same folder. What it had to overlook goes to the
-/// end of `remarks`, a sentence each. Throws Error inputMissing if the file does not exist, badData
-/// with the line or byte if it cannot be read.
+/// Reads a mesh file of a format that docs/meshes.md lists, the meshes of a folder, or files with
+/// '+' between their names, known by content first and then by the name's ending. Keeps every bit
+/// of the file's numbers and the order of its vertices and faces, cuts polygons into triangles,
+/// welds equal vertices, and changes nothing else. Opens no other file, except for a .bin file of a
+/// glTF in the same folder. What it had to overlook goes to the end of `remarks`, a sentence each.
+/// Throws Error inputMissing if the file does not exist, badData with the line or byte if it cannot
+/// be read.
 [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file,
                                     std::vector<std::string>* remarks = nullptr);
 

@@ -36,6 +36,7 @@ from ._frostfill import (
 from ._frostfill import version as __version__
 from ._instruments import Inspection, Packing, analyse, check, inspect, read_packing, volume
 from ._pictures import Picture
+from ._progress import Progress
 from ._runs import Run, fill, load
 from ._simulation import Simulation, SphereState
 
@@ -47,6 +48,7 @@ __all__ = [
     "Snapshot",
     "SphereState",
     "Picture",
+    "Progress",
     "read_packing",
     "Packing",
     "check",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Printed by python/make_stub.py from the module; a test compares. Do not edit.
 import enum
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypedDict, Unpack
@@ -111,7 +111,7 @@ class FillOptions(JudgeOptions, PictureOptions, total=False):
     colour_text: str | int | Sequence[float] | Sequence[str]
 
 def fill(
-        mesh: str | PathLike[str] | None = ...,
+        mesh: str | PathLike[str] | Sequence[str | PathLike[str]] | None = ...,
         *,
         vertices: ArrayLike | None = ...,
         triangles: ArrayLike | None = ...,
@@ -119,6 +119,7 @@ def fill(
         out: str | PathLike[str] | None = ...,
         overwrite: bool = ...,
         resume: bool = ...,
+        progress: Callable[[Progress], Any] | bool | None = ...,
         **options: Unpack[FillOptions],
     ) -> Run: ...
 
@@ -151,13 +152,23 @@ class Run:
     @property
     def contacts(self) -> NDArray[numpy.uint32]: ...
     @property
+    def table(self) -> NDArray: ...
+    @property
     def directory(self) -> Path: ...
     @property
     def summary(self) -> dict: ...
     @property
     def state_hash(self) -> str: ...
     def render(self, frame: int | None = ..., **options: Unpack[PictureOptions]) -> Picture: ...
-    def draw(self, directory: str | PathLike[str], *, video: str | PathLike[str] | None = ..., overwrite: bool = ..., **options: Unpack[PictureOptions]) -> int: ...
+    def draw(
+        self,
+        directory: str | PathLike[str],
+        *,
+        video: str | PathLike[str] | None = ...,
+        overwrite: bool = ...,
+        progress: Callable[[Progress], Any] | bool | None = ...,
+        **options: Unpack[PictureOptions],
+    ) -> int: ...
     def save(self, directory: str | PathLike[str], *, overwrite: bool = ...) -> Path: ...
     def export(
         self,
@@ -223,6 +234,8 @@ class Simulation:
 
 class Snapshot:
     @property
+    def table(self) -> NDArray[numpy.void]: ...
+    @property
     def centres(self) -> NDArray[numpy.float64]: ...
     @property
     def radii(self) -> NDArray[numpy.float64]: ...
@@ -278,6 +291,13 @@ class SphereState(enum.IntEnum):
 class Picture(NDArray[numpy.uint8]):
     def save(self, file: str | PathLike[str]) -> None: ...
 
+class Progress(NamedTuple):
+    fraction: float
+    seconds_left: float | None
+    spheres: int
+    time: float
+    stage: str
+
 def read_packing(path: str | PathLike[str], *, radius: float | None = ..., columns: Mapping[str, str | int] | None = ...) -> Packing: ...
 
 class Packing(NamedTuple):
@@ -293,6 +313,8 @@ def check(
         triangles: ArrayLike | None = ...,
         *,
         mesh: str | PathLike[str] | None = ...,
+        box: ArrayLike | None = ...,
+        periodic: bool = ...,
         at_rest: ArrayLike | None = ...,
         **options: Unpack[JudgeOptions],
     ) -> QualityReport: ...
@@ -352,6 +374,8 @@ def analyse(
         triangles: ArrayLike | None = ...,
         *,
         mesh: str | PathLike[str] | None = ...,
+        box: ArrayLike | None = ...,
+        periodic: bool = ...,
         up: str = ...,
         centre: ArrayLike | None = ...,
         below: float | None = ...,
@@ -395,19 +419,21 @@ class PackingAnalysis:
     @property
     def q6(self) -> NDArray[numpy.float64]: ...
     @property
-    def porosity_height(self) -> NDArray[numpy.float64]: ...
+    def table(self) -> NDArray[numpy.void]: ...
     @property
-    def porosity_radial(self) -> NDArray[numpy.float64]: ...
+    def porosity_height(self) -> NDArray[numpy.void]: ...
     @property
-    def porosity_wall(self) -> NDArray[numpy.float64]: ...
+    def porosity_radial(self) -> NDArray[numpy.void]: ...
     @property
-    def sizes_height(self) -> NDArray[numpy.float64]: ...
+    def porosity_wall(self) -> NDArray[numpy.void]: ...
     @property
-    def sizes_radial(self) -> NDArray[numpy.float64]: ...
+    def sizes_height(self) -> NDArray[numpy.void]: ...
     @property
-    def pairs(self) -> NDArray[numpy.float64]: ...
+    def sizes_radial(self) -> NDArray[numpy.void]: ...
     @property
-    def network(self) -> NDArray[numpy.float64]: ...
+    def pairs(self) -> NDArray[numpy.void]: ...
+    @property
+    def network(self) -> NDArray[numpy.void]: ...
     @property
     def forces(self) -> NDArray[numpy.float64]: ...
     @property

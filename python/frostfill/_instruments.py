@@ -62,20 +62,36 @@ def check(
     triangles: ArrayLike | None = None,
     *,
     mesh: str | PathLike[str] | None = None,
+    box: ArrayLike | None = None,
+    periodic: bool = False,
     at_rest: ArrayLike | None = None,
     **options,
 ) -> QualityReport:
-    """Judges spheres in a mesh, from any source.
+    """Judges spheres in a mesh or in a box, from any source.
 
     centres: numbers [n, 3]; radii: [n], or one number. The mesh: vertices [v, 3] and triangles
-    [t, 3], or `mesh`, a name or a file. at_rest: bool [n], whose weight has to be carried; all by
-    default.
+    [t, 3], or `mesh`, a name or a file. In its place a box: its size [3], from 0 on, or its lowest
+    corner and its highest one [2, 3]. A periodic box repeats in all directions and has no walls:
+    only overlaps of spheres are judged then. at_rest: bool [n], whose weight has to be carried; all
+    by default.
 
     >>> report = check([[0, 0, 0], [0.5, 0, 0]], 0.3, mesh="cube")
     >>> round(report.max_overlap, 6), report.centres_outside
     (0.333333, 0)
+    >>> check([[0.1, 1, 1], [1.9, 1, 1]], 0.2, box=(2, 2, 2), periodic=True).max_overlap > 0.9
+    True
     """
-    return _frostfill.check(centres, radii, mesh, vertices, triangles, at_rest, **options)
+    return _frostfill.check(
+        centres, radii, mesh, vertices, triangles, _numbers(box), bool(periodic), at_rest, **options
+    )
+
+
+def _numbers(box):
+    """A box in a row."""
+    try:
+        return box if box is None else numpy.ravel(box)
+    except ValueError:
+        raise _frostfill.Usage(f"box is {box!r}, but it must be an array of 3 or 6 numbers") from None
 
 
 @takes_options("loading")
@@ -86,6 +102,8 @@ def analyse(
     triangles: ArrayLike | None = None,
     *,
     mesh: str | PathLike[str] | None = None,
+    box: ArrayLike | None = None,
+    periodic: bool = False,
     up: str = "y",
     centre: ArrayLike | None = None,
     below: float | None = None,
@@ -102,7 +120,8 @@ def analyse(
 ) -> PackingAnalysis:
     """Analyses spheres in a mesh: porosity, neighbours, contacts, Voronoi cells, order and sizes.
 
-    Spheres and mesh as for frostfill.check. The keywords are the options of `frostfill analyse`;
+    Spheres, mesh and box as for frostfill.check; a periodic box has no cells and no porosity by the
+    distance from a wall. The keywords are the options of `frostfill analyse`;
     only: names, of porosity, pairs, contacts, cells, order and sizes.
 
     >>> found = analyse([[0, 0, 0], [0.5, 0, 0]], 0.25, mesh="cube", samples=1000)
@@ -123,7 +142,9 @@ def analyse(
         "only": [only] if isinstance(only, str) else list(only),
         "threads": threads,
     }
-    return _frostfill.analyse(centres, radii, mesh, vertices, triangles, given, **options)
+    return _frostfill.analyse(
+        centres, radii, mesh, vertices, triangles, _numbers(box), bool(periodic), given, **options
+    )
 
 
 class Inspection(NamedTuple):

@@ -10,7 +10,7 @@ import stat
 import tempfile
 import uuid
 import weakref
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
 
@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _frostfill
 from ._keywords import takes_options
 from ._pictures import Picture
+from ._progress import Progress, watching
 
 
 class Run(_frostfill.KeptRun):
@@ -60,6 +61,16 @@ class Run(_frostfill.KeptRun):
         return self.last.contacts
 
     @property
+    def table(self) -> NDArray:
+        """The spheres with named columns: x, y, z, radius, state, ...; see Snapshot.table.
+
+        >>> run = fill("torus", count=30, duration=1, frames_fps=10)
+        >>> run.table.dtype.names[:5], len(run.table["x"])
+        (('x', 'y', 'z', 'radius', 'state'), 30)
+        """
+        return self.last.table
+
+    @property
     def directory(self) -> Path:
         """The folder of the run's files. Without `out`, one that goes when the run does."""
         return self.file.parent
@@ -91,13 +102,15 @@ class Run(_frostfill.KeptRun):
         *,
         video: str | PathLike[str] | None = None,
         overwrite: bool = False,
+        progress: Callable[[Progress], object] | bool | None = None,
         **options,
     ) -> int:
         """Draws frames into a folder, as `frostfill render` does, and returns their number.
 
-        video: a file .mp4, .webm or .gif, made with ffmpeg.
+        video: a file .mp4, .webm or .gif, made with ffmpeg. progress: True shows a bar; see fill.
         """
-        return self.draw_into(directory, video, overwrite, **options)
+        with watching(progress) as call:
+            return self.draw_into(directory, video, overwrite, call, **options)
 
     def save(self, directory: str | PathLike[str], *, overwrite: bool = False) -> Path:
         """Keeps the run's files in a folder, for frostfill.load and for the program.
@@ -225,7 +238,7 @@ def _move_to(target, files):
 
 @takes_options("filling")
 def fill(
-    mesh: str | PathLike[str] | None = None,
+    mesh: str | PathLike[str] | Sequence[str | PathLike[str]] | None = None,
     *,
     vertices: ArrayLike | None = None,
     triangles: ArrayLike | None = None,
@@ -233,17 +246,21 @@ def fill(
     out: str | PathLike[str] | None = None,
     overwrite: bool = False,
     resume: bool = False,
+    progress: Callable[[Progress], object] | bool | None = None,
     **options,
 ) -> Run:
     """Fills a mesh with spheres, to the end of the run.
 
-    mesh: "torus", "sphere", "cube", "human", or a mesh file. Or give arrays: vertices, numbers
+    mesh: "torus", "sphere", "cube", "human", a container such as "cylinder:1,4", or a mesh file; a
+    list of files, or a folder, whose files are the patches of one mesh. Or give arrays: vertices, numbers
     [v, 3], and triangles, indices [t, 3]. Or a scene: a scene file, or the summary.json of a run.
     The mesh is repaired where that can be done; see frostfill.inspect.
 
     out: a folder for the files of the run, as `frostfill fill` writes them. Without it they are kept
     only for as long as the run; Run.save keeps them. No pictures are drawn unless `frames` is given.
     resume: continue the run in `out`.
+    progress: True shows a bar: of tqdm where it is installed, otherwise a line of text. A function
+    is called with a frostfill.Progress ten times a second; an exception in it stops the run.
 
     Ctrl-C stops after the step. Raises Error; Postcondition has the attribute `run`.
 
@@ -269,9 +286,10 @@ def fill(
         folder = None
         directory = os.fsdecode(out)
     try:
-        failures = _frostfill.fill_into(
-            directory, mesh, vertices, triangles, scene, overwrite, resume, **options
-        )
+        with watching(progress) as call:
+            failures = _frostfill.fill_into(
+                directory, mesh, vertices, triangles, scene, overwrite, resume, call, **options
+            )
         run = Run(directory)
     except BaseException:
         if folder:

@@ -149,17 +149,15 @@ int check(const CheckArguments& arguments)
                     "--max-unbalanced and judge.unbalance need a friction under which "
                     "spheres are balanced: give --set judge.friction=...");
     }
-    const auto [mesh, bounds] = wallsOf(packing, arguments.place, scene.object.load);
-    const bool hasWalls = bounds == AnalysisBounds::walls;
+    const PackingWalls walls = wallsOf(packing, arguments.place, scene.object.load);
+    const bool hasWalls = walls.bounds == AnalysisBounds::walls;
     if (!hasWalls && (arguments.mostWallOverlap || arguments.mostOutside ||
                       arguments.mostUnsupported || scene.judge.friction))
     {
         throw Error(ErrorCode::usage, "without walls only overlaps of spheres are judged: give a "
                                       "--mesh, or a --box that is not --periodic");
     }
-    const Packing all = bounds == AnalysisBounds::periodic ? withImages(packing, mesh) : packing;
-    const QualityReport quality =
-        judgePacking(hasWalls ? mesh : boxAround(all), all, scene.object.up, scene.judge);
+    const QualityReport quality = judgePacking(walls, packing, scene.object.up, scene.judge);
     const std::vector<std::string> faults = exceeded(arguments, quality);
     if (arguments.json)
     {

@@ -156,9 +156,10 @@ Command addFillCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand(
         "fill", "Fill a mesh with spheres; write frames, tables and a summary");
     command->footer(kFillExamples);
-    command->add_option("MESH", arguments->mesh,
-                        "torus, sphere, cube, human, a container such as cylinder:1,4, a mesh "
-                        "file, or a scene: FILE.toml or the summary.json of a run");
+    addMeshArgument(*command, "MESH", arguments->mesh,
+                    "torus, sphere, cube, human, a container such as cylinder:1,4, a mesh file, "
+                    "several files or a folder with its patches, or a scene: FILE.toml or the "
+                    "summary.json of a run");
     addSceneOptions(*command, arguments->given);
     const auto add = [&](const char* name, auto& value, const char* help, const char* type)
     { command->add_option(name, value, help)->type_name(type)->group("Output"); };

@@ -207,9 +207,9 @@ Command addMeshCommand(CLI::App& program)
     CLI::App* command = program.add_subcommand(
         "mesh", "Inspect a mesh: whether it can be filled, and what is repaired");
     command->footer(kMeshExamples);
-    command
-        ->add_option("FILE", arguments->mesh,
-                     "A mesh file, or torus, sphere, cube, human, cylinder:1,4, ...")
+    addMeshArgument(
+        *command, "FILE", arguments->mesh,
+        "A mesh file, several or a folder with its patches, or torus, cylinder:1,4, ...")
         ->required();
     command
         ->add_option("--radius", arguments->radius,

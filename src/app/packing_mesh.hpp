@@ -38,17 +38,9 @@ struct PackingPlace
 };
 void addPackingMeshOption(CLI::App& command, PackingPlace& place);
 
-struct PackingWalls
-{
-    TriangleMesh mesh;
-    AnalysisBounds bounds = AnalysisBounds::walls;
-};
 /// The mesh that is named, whose repairs are said, or the box, or else the mesh that came with the
 /// packing. Where there is none, a box around all spheres. Throws Error usage for no box.
 [[nodiscard]] PackingWalls wallsOf(const Packing& packing, const PackingPlace& place,
                                    const LoadMeshOptions& load);
-[[nodiscard]] TriangleMesh boxAround(const Packing& packing);
-/// With the images of spheres that may touch some in the box that repeats.
-[[nodiscard]] Packing withImages(const Packing& packing, const TriangleMesh& box);
 
 } // namespace frostfill

@@ -152,6 +152,14 @@ void takeSetting(const std::string& setting, std::string_view command, GivenOpti
 
 } // namespace
 
+CLI::Option* addMeshArgument(CLI::App& command, const char* name, std::string& mesh,
+                             const std::string& help)
+{
+    const auto take = [&mesh](const std::vector<std::string>& names)
+    { mesh = fmt::format("{}", fmt::join(names, "+")); };
+    return command.add_option_function<std::vector<std::string>>(name, take, help);
+}
+
 void addSceneOptions(CLI::App& command, GivenOptions& given)
 {
     const std::string name = command.get_name();

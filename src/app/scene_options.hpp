@@ -21,6 +21,10 @@ struct GivenOption
 /// In the table's order. Must outlive the parser.
 using GivenOptions = std::map<const Option*, GivenOption>;
 
+/// Adds the argument that names a mesh, or several files that are its patches.
+CLI::Option* addMeshArgument(CLI::App& command, const char* name, std::string& mesh,
+                             const std::string& help);
+
 /// Adds the flags of the scene's options that the command takes, with their defaults in the help,
 /// and --set, which takes each of them by its key.
 void addSceneOptions(CLI::App& command, GivenOptions& given);

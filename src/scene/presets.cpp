@@ -62,10 +62,14 @@ PaperObject paperObject(std::string_view mesh)
     return kAnyObject;
 }
 
+/// Without the ending, and of several files the name of the first.
 std::string runName(const std::string& mesh)
 {
-    const std::string stem = isBuiltInMesh(mesh) ? mesh.substr(0, mesh.find(':'))
-                                                 : std::filesystem::path(mesh).stem().string();
+    const std::filesystem::path file = mesh.substr(0, mesh.find_first_of("+", 1));
+    const std::filesystem::path unpacked = file.extension() == ".gz" ? file.stem() : file;
+    const std::string stem = isBuiltInMesh(mesh)       ? mesh.substr(0, mesh.find(':'))
+                             : unpacked.has_filename() ? unpacked.stem().string()
+                                                       : unpacked.parent_path().filename().string();
     return stem.empty() ? "run" : stem;
 }
 

@@ -89,6 +89,31 @@ TEST_F(OpenMeshes, FillWithALidAndTheSummaryRepeatsIt)
     EXPECT_EQ(first["state_hash"], second["state_hash"]);
 }
 
+TEST_F(OpenMeshes, AreClosedByAFileWithTheirLid)
+{
+    fs::create_directory(folder_ / "tub");
+    fs::copy(folder_ / "tub.obj", folder_ / "tub/wall.obj");
+    writeFile(folder_ / "tub/lid.obj", "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nf 1 4 3 2\n");
+    writeFile(folder_ / "tub/scene.toml", "object.mesh = 'lid.obj+wall.obj'\n");
+    std::vector<std::string> hashes;
+    for (const std::string mesh :
+         {"tub", "tub/lid.obj tub/wall.obj", "out/summary.json", "tub/scene.toml"})
+    {
+        const Answer answer = run(
+            "fill " + mesh + " --out out --overwrite --count 20 --seed 1 --frames none --quiet");
+        ASSERT_EQ(answer.code, 0) << answer.errors;
+        const auto summary = nlohmann::json::parse(readFile(folder_ / "out/summary.json"));
+        EXPECT_NEAR(summary["error"]["volume_mesh"], 8, 1e-12);
+        hashes.push_back(summary["state_hash"]);
+    }
+    EXPECT_EQ(std::count(hashes.begin(), hashes.end(), hashes[0]), 4);
+    EXPECT_NE(run("mesh tub/lid.obj tub/wall.obj").output.find("can be filled"), std::string::npos);
+    expectRefused("fill tub.obj none.obj --count 3", 66, "there is no file 'none.obj'");
+    expectRefused("fill torus tub.obj --count 3", 66, "there is no file 'torus': give one mesh");
+    EXPECT_EQ(run("fill tub/lid.obj tub/wall.obj --count 3 --frames none --quiet").code, 0);
+    EXPECT_TRUE(fs::exists(folder_ / "output/lid/summary.json")); // the name of the first
+}
+
 TEST_F(OpenMeshes, FillByASceneThatAsksForALid)
 {
     writeFile(folder_ / "scene.toml", "[object]\nmesh = \"tub.obj\"\nlid = true\nwrap = \"none\"\n"

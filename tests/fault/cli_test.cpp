@@ -74,7 +74,6 @@ TEST_F(CommandLine, WrongUseIsRefusedWith64AndOneLine)
     expectRefused("fly", 64, "fly");
     expectRefused("fill", 64, "MESH");
     expectRefused("fill torus --cuont 5", 64, "--count");
-    expectRefused("fill torus sphere", 64, "sphere");
     expectRefused("fill torus --count", 64, "--count");
     expectRefused("fill torus --count 0", 64, "--count");
     expectRefused("fill torus --radius abc", 64, "--radius");

@@ -79,6 +79,10 @@ void prepare(const std::filesystem::path& folder)
                     "4 0 1 2 3\n4 0 4 5 1\n4 1 5 6 2\n4 2 6 7 3\n4 3 7 4 0\n"
                     "4 8 11 10 9\n4 8 9 13 12\n4 9 10 14 13\n4 10 11 15 14\n4 11 8 12 15\n"
                     "4 4 12 13 5\n4 5 13 14 6\n4 6 14 15 7\n4 7 15 12 4\n");
+    // A tetrahedron in two patches.
+    const std::string corners = "OFF\n4 2 0\n0 0 0\n9 0 0\n0 9 0\n0 0 9\n";
+    test::writeFile(folder / "wall.stl", corners + "3 0 2 1\n3 0 1 3\n");
+    test::writeFile(folder / "lid.stl", corners + "3 0 3 2\n3 1 2 3\n");
     test::writeFile(folder / "packing.csv", "x,y,z,radius\n1.5,1.5,0.5,0.5\n");
     test::writeFile(folder / "sieve.csv",
                     "diameter, cumulative mass\n4, 0\n5, 25\n6, 60\n8, 100\n");

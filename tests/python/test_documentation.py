@@ -12,7 +12,7 @@ import os
 from support import SOURCE, frostfill, unittest
 
 PARTS = [frostfill, frostfill._runs, frostfill._simulation, frostfill._instruments,
-         frostfill._pictures]
+         frostfill._pictures, frostfill._progress]
 
 
 class Documentation(unittest.TestCase):

@@ -61,6 +61,24 @@ class Runs(FolderCase):
         self.assertEqual(len(list((out / "frames").glob("*.png"))),
                          len(frostfill.load(out).frames))
 
+    def test_have_a_table_of_their_spheres(self):
+        table = self.run_.table
+        self.assertEqual(table.dtype.names[:7], ("x", "y", "z", "radius", "state", "group", "speed"))
+        numpy.testing.assert_array_equal(table["z"], self.run_.centres[:, 2])
+        numpy.testing.assert_array_equal(table["contacts"], self.run_.contacts)
+        self.assertEqual(len(self.run_.frame(0).table), len(self.run_.frame(0)))
+
+    def test_are_filled_into_several_files_of_one_mesh(self):
+        corners = ["v 0 0 0", "v 1 0 0", "v 0 1 0", "v 0 0 1"]
+        files = [self.folder / "base.obj", self.folder / "rest.obj"]
+        files[0].write_text("\n".join([*corners, "f 1 3 2", "f 1 2 4"]))
+        files[1].write_text("\n".join([*corners, "f 1 4 3", "f 2 3 4"]))
+        run = frostfill.fill(files, count=3)
+        self.assertEqual(len(run.triangles), 4)
+        self.assertEqual(frostfill.fill(scene=run.directory / "summary.json").state_hash, run.state_hash)
+        with self.assertRaisesRegex(frostfill.Usage, "mesh is"):
+            frostfill.fill([files[0], 5])
+
     def test_show_their_last_picture_in_a_notebook(self):
         shown = self.run_._repr_png_()
         self.assertEqual(shown, self.run_.render(-1, size=(640, 360))._repr_png_())

@@ -21,34 +21,34 @@ struct ForeignFormat
     std::string_view name;
 };
 
-constexpr std::array<ForeignFormat, 13> kForeignFormats = {{
-    {"\x1f\x8b", "compressed (gzip): unpack it with gunzip"},
+constexpr std::array<ForeignFormat, 11> kForeignFormats = {{
+    {"\x1f\x8b", "compressed (gzip) twice: unpack it with gunzip"},
     {"BLENDER", "a Blender file"},
     {"DRACO", "compressed with Draco"},
     {"ISO-10303-21", "a STEP file, of curved surfaces"},
     {"#VRML", "a VRML file"},
-    {"# vtk", "a VTK file"},
     {"# .PCD", "a point cloud (PCD)"},
     {"LASF", "a point cloud (LAS)"},
     {"$MeshFormat", "a Gmsh file"},
     {"MeshVersionFormatted", "a Medit file"},
-    {"<VTKFile", "a VTK file in XML, as VTP and VTU files are"},
     {"<amf", "an AMF file"},
     {"<", "XML or a web page"},
 }};
 
-struct SceneFormat
+struct KnownFormat
 {
     std::string_view begin; ///< likewise
     FileKind kind;
 };
 
-constexpr std::array<SceneFormat, 6> kSceneFormats = {{{"glTF", FileKind::gltf},
+constexpr std::array<KnownFormat, 8> kKnownFormats = {{{"glTF", FileKind::gltf},
                                                        {"<COLLADA", FileKind::dae},
                                                        {"Kaydara FBX Binary", FileKind::fbx},
                                                        {"; FBX", FileKind::fbx},
                                                        {"<X3D", FileKind::x3d},
-                                                       {"PK\x03\x04", FileKind::threeMf}}};
+                                                       {"PK\x03\x04", FileKind::threeMf},
+                                                       {"# vtk", FileKind::vtk},
+                                                       {"<VTKFile", FileKind::vtp}}};
 
 /// Of a table of beginnings, the format whose beginning a file has.
 template <class Formats>
@@ -76,9 +76,9 @@ std::optional<FileKind> kindByContent(std::string_view bytes)
     {
         return FileKind::binaryStl; // even if it begins with "solid", as some do
     }
-    if (const auto* scene = formatOf(bytes, kSceneFormats))
+    if (const auto* known = formatOf(bytes, kKnownFormats))
     {
-        return scene->kind;
+        return known->kind;
     }
     TextScanner scanner(bytes, {.comment = '#'});
     const std::string_view word = scanner.wordAnywhere();
@@ -157,16 +157,16 @@ FileKind kindOf(std::string_view bytes, std::string_view ending)
     }
     if (const auto* stranger = formatOf(bytes, kForeignFormats))
     {
-        throw Unreadable(fmt::format("it is {}; convert the mesh to OBJ, STL, PLY, OFF or glTF",
-                                     stranger->name));
+        throw Unreadable(fmt::format(
+            "it is {}; convert the mesh to OBJ, STL, PLY, OFF, VTP or glTF", stranger->name));
     }
     const auto byEnding = kindByEnding(ending);
     if (!byEnding)
     {
         throw Unreadable(
             "its content is none of the formats that can be read, and it does not end "
-            "in .obj, .stl, .ply, .off, .gltf or .glb; convert the mesh to one of these, DAE, FBX, "
-            "X3D or 3MF");
+            "in .obj, .stl, .ply, .off, .gltf or .glb; convert the mesh to one of these, VTP, DAE, "
+            "FBX, X3D or 3MF");
     }
     return *byEnding;
 }

@@ -13,6 +13,8 @@ enum class FileKind
     ply,
     asciiStl,
     binaryStl,
+    vtk,
+    vtp,
     gltf, // this and what follows: scenes
     dae,
     fbx,

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/containers.hpp"
 #include "mesh/files/file_kind.hpp"
+#include "mesh/files/mesh_files.hpp"
 #include "mesh/files/parse_mesh.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
+#include "mesh/files/unpack.hpp"
 #include "mesh/repair/find_invalid_data.hpp"
 #include "mesh/repair/weld.hpp"
 
@@ -66,6 +68,10 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
         return readAsciiStl(bytes);
     case FileKind::binaryStl:
         return readBinaryStl(bytes);
+    case FileKind::vtk:
+        return readVtk(bytes);
+    case FileKind::vtp:
+        return readVtp(bytes);
     default:
         break;
     }
@@ -77,15 +83,21 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
 TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
                        std::vector<std::string>* remarks)
 {
-    // Not a binary STL, whose free bytes may begin like a mark.
-    if (!hasSizeOfBinaryStl(bytes))
-    {
-        bytes = decodeText(std::move(bytes));
-    }
     try
     {
+        std::filesystem::path name = file;
+        if (isGzip(bytes) && !hasSizeOfBinaryStl(bytes))
+        {
+            bytes = gunzip(bytes);
+            name.replace_extension(); // of part.stl.gz
+        }
+        // Not a binary STL, whose free bytes may begin like a mark.
+        if (!hasSizeOfBinaryStl(bytes))
+        {
+            bytes = decodeText(std::move(bytes));
+        }
         std::vector<std::string> overlooked;
-        TriangleMesh mesh = parse(bytes, kindOf(bytes, endingOf(file)), file, overlooked);
+        TriangleMesh mesh = parse(bytes, kindOf(bytes, endingOf(name)), name, overlooked);
         if (const auto fault = findInvalidData(mesh))
         {
             throw Unreadable(*fault + "; export the mesh again");
@@ -106,7 +118,24 @@ TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
 
 TriangleMesh readMesh(const std::filesystem::path& file, std::vector<std::string>* remarks)
 {
-    return parseMesh(contentOf(file), file, remarks);
+    TriangleMesh all;
+    const std::vector<std::filesystem::path> files = filesOfMesh(file);
+    for (const std::filesystem::path& each : files)
+    {
+        TriangleMesh patch = parseMesh(contentOf(each), each, remarks);
+        if (files.size() == 1)
+        {
+            return patch;
+        }
+        const auto first = static_cast<std::uint32_t>(all.vertices.size());
+        all.vertices.insert(all.vertices.end(), patch.vertices.begin(), patch.vertices.end());
+        for (const auto& [a, b, c] : patch.triangles)
+        {
+            all.triangles.push_back({a + first, b + first, c + first});
+        }
+    }
+    weldEqualVertices(all);
+    return all;
 }
 
 } // namespace frostfill

@@ -2,7 +2,9 @@
 // Reading a mesh from an untrusted source. Assimp 5.2.5, the reader of glTF in Debian 12,
 // crashes, hangs or fills the memory on damaged files; in a child process that costs a sentence.
 // The other readers are not known to, and are sandboxed nevertheless.
+#include "mesh/files/mesh_files.hpp"
 #include "mesh/files/sandbox.hpp"
+#include "mesh/files/unpack.hpp"
 #include "mesh/repair/find_invalid_data.hpp"
 
 #include <frostfill/error.hpp>
@@ -26,11 +28,13 @@ constexpr std::size_t kBytesPerByte = 100;
 constexpr std::size_t kSecondsAtLeast = 2;
 constexpr std::size_t kBytesPerSecond = std::size_t{1} << 20;
 
-SandboxLimits limitsFor(const std::filesystem::path& file)
+SandboxLimits limitsFor(const std::filesystem::path& given)
 {
-    std::error_code ignored; // a file that is not there is told by readMesh
-    const std::uintmax_t told = std::filesystem::file_size(file, ignored);
-    const std::size_t size = ignored ? 0 : static_cast<std::size_t>(told);
+    std::size_t size = 0;
+    for (const std::filesystem::path& file : filesOfMesh(given))
+    {
+        size += contentSize(file); // a file that is not there is told by readMesh
+    }
     return {kBytesAtLeast + kBytesPerByte * size,
             static_cast<unsigned>(kSecondsAtLeast + size / kBytesPerSecond)};
 }

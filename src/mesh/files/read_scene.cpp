@@ -199,7 +199,7 @@ TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes
         refuseBrokenChunks(bytes);
     }
     Assimp::Importer importer;
-    importer.SetIOHandler(new OneFileIo(file)); // assimp takes ownership
+    importer.SetIOHandler(new OneFileIo(file, bytes)); // assimp takes ownership
     removeOtherImporters(importer, ending);
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr)

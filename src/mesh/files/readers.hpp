@@ -27,9 +27,13 @@ namespace frostfill
 /// Whether the size is exactly that of a binary STL with as many triangles as it promises.
 [[nodiscard]] bool hasSizeOfBinaryStl(std::string_view bytes);
 
+/// VTK: legacy files and files of XML, of polygons or of flat cells of an unstructured grid.
+[[nodiscard]] TriangleMesh readVtk(std::string_view bytes);
+[[nodiscard]] TriangleMesh readVtp(std::string_view text);
+
 /// Scenes, whose numbers are single precision, by assimp: glTF 2.0 and GLB, with .bin files beside
 /// them, COLLADA, FBX, X3D and 3MF. `ending`: gltf, dae, fbx, x3d or 3mf, as assimp knows them;
-/// `bytes` are the file's, to say what it needs that no one here can read.
+/// `bytes` are the file's content.
 [[nodiscard]] TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes,
                                      std::string_view ending);
 

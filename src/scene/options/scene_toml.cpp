@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "base/read_number.hpp"
 #include "scene/options/file_values.hpp"
 #include "scene/read_sizes.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/options.hpp>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <fstream>
@@ -218,11 +219,32 @@ Scene parseScene(std::string_view toml, std::string_view nameForMessages)
     return sceneFromValues(readTomlValues(toml, nameForMessages), nameForMessages);
 }
 
+namespace
+{
+
+/// A mesh, or several files, by its path or theirs from a folder.
+std::string meshIn(const std::filesystem::path& folder, const std::string& mesh)
+{
+    const std::string whole = (folder / mesh).string();
+    if (mesh.find('+') == std::string::npos || std::filesystem::exists(whole))
+    {
+        return whole;
+    }
+    std::vector<std::string> parts;
+    for (const std::string_view part : partsOf(mesh, '+'))
+    {
+        parts.push_back((folder / part).string());
+    }
+    return fmt::format("{}", fmt::join(parts, "+"));
+}
+
+} // namespace
+
 void resolvePaths(Scene& scene, const std::filesystem::path& folder)
 {
-    if (!isBuiltInMesh(scene.object.mesh) && std::filesystem::path(scene.object.mesh).is_relative())
+    if (!isBuiltInMesh(scene.object.mesh))
     {
-        scene.object.mesh = (folder / scene.object.mesh).string();
+        scene.object.mesh = meshIn(folder, scene.object.mesh);
     }
     if (scene.spheres.radius && !scene.spheres.radius->file.empty() &&
         std::filesystem::path(scene.spheres.radius->file).is_relative())

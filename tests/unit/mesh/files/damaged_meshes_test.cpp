@@ -3,6 +3,7 @@
 // or refused in a sentence, whatever the reader behind it does.
 #include "base/random.hpp"
 #include "unit/mesh/files/mesh_texts.hpp"
+#include "unit/mesh/files/samples.hpp"
 
 #include <ctime>
 
@@ -75,15 +76,21 @@ std::vector<std::pair<std::string, std::string>> samples()
     const std::string quads =
         "OFF\n8 6 12\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 0 1\n1 0 1\n0 1 1\n1 1 1\n"
         "4 0 2 3 1\n4 4 5 7 6\n4 0 1 5 4\n4 2 6 7 3\n4 0 4 6 2\n4 1 3 7 5\n";
-    return {{"a.obj", test::exactObj(mesh)},
-            {"utf16.obj", test::utf16(test::exactObj(mesh), true)},
-            {"a.off", test::exactOff(mesh)},
-            {"quads.off", quads},
-            {"a.ply", test::asciiPly(mesh)},
-            {"big.ply", test::binaryPly(mesh, true)},
-            {"little.ply", plyBytes(mesh)},
-            {"a.stl", test::asciiStl(mesh)},
-            {"binary.stl", test::binaryStl(mesh)}};
+    std::vector<std::pair<std::string, std::string>> all = {
+        {"a.obj", test::exactObj(mesh)},
+        {"utf16.obj", test::utf16(test::exactObj(mesh), true)},
+        {"a.off", test::exactOff(mesh)},
+        {"quads.off", quads},
+        {"a.ply", test::asciiPly(mesh)},
+        {"big.ply", test::binaryPly(mesh, true)},
+        {"little.ply", plyBytes(mesh)},
+        {"a.stl", test::asciiStl(mesh)},
+        {"binary.stl", test::binaryStl(mesh)}};
+    for (const std::string& name : test::vtkSamples())
+    {
+        all.emplace_back(name, test::sample(name));
+    }
+    return all;
 }
 
 /// Reads it or says in a sentence why not, and in less than a second of processor time.

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace frostfill
+{
+
+/// The files of a mesh, which may be given as patches: the files of a folder that end as meshes do,
+/// by name, or names with '+' between them. Any other name is that of a file, whether it is there
+/// or not. Throws Error inputMissing for a folder without a mesh, and if one of several is no file.
+[[nodiscard]] std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path& given);
+
+} // namespace frostfill
