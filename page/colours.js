@@ -6,7 +6,9 @@
 const packed = (colour) =>
   (colour[0] | colour[1] << 8 | colour[2] << 16 | 255 << 24) >>> 0;
 
-const kScale = Uint32Array.from(facts.scale, packed);
+/** The 256 colours of the scale: on a dark background they begin where they can be seen. */
+const scaleOf = ({ scale_start: start }) => facts.scale.map((_, i) =>
+  facts.scale[Math.round(255 * start + (1 - start) * i)]);
 
 function coloursOfStates(look) {
   return [look.running, look.frozen, look.discarded, look.running].map(packed);
@@ -15,17 +17,18 @@ function coloursOfStates(look) {
 /** Colours of all spheres of the film's frame, into `colours`. */
 function colourSpheres(film, by, look, colours) {
   const ofState = coloursOfStates(look);
+  const scale = Uint32Array.from(scaleOf(look), packed);
   const { low, high, of } = facts.colours.find((each) => each.by === by);
   const width = high > low ? high - low : Infinity;
   const fromScale = (value) =>
-    kScale[Math.round(255 * Math.min(1, Math.max(0, (value - low) / width)))];
+    scale[Math.round(255 * Math.min(1, Math.max(0, (value - low) / width)))];
   const resting = packed(facts.resting);
   const height = heightOf();
   const valueOf = {
     state: (id) => ofState[film.states[id]],
     set: (id) => fromScale(Math.floor(film.values.group[id] / facts.groups_per_set)),
     group: (id) => fromScale(film.values.group[id]),
-    speed: (id) => kScale[film.values.speed[id]],
+    speed: (id) => scale[film.values.speed[id]],
     height: (id) => fromScale(height(film, id)),
     radius: (id) => fromScale(facts.film.radius_step * film.values.radius[id]),
   }[by] ?? ((id) => fromScale(film.values[by][id]));

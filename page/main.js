@@ -43,7 +43,7 @@ class Page {
     const { view } = this;
     choices("colour-by", facts.colours.map(({ by }) => [by, by]), view.colourBy, (by) => {
       view.colourBy = by;
-      showScale(by);
+      showScale(by, view.look);
     });
     choices("look", facts.looks.map(({ name }, i) => [i, name]), facts.looks.indexOf(view.look), (i) => {
       view.look = facts.looks[i];
@@ -64,12 +64,12 @@ class Page {
       this.redraw();
     });
     part("controls").addEventListener("submit", (event) => event.preventDefault());
-    showScale(view.colourBy);
     this.takeCut();
   }
 
   takeLook() {
     dressPage(this.view.look);
+    showScale(this.view.colourBy, this.view.look);
     if (!this.shellIsChosen) {
       this.takeShell();
     }

@@ -117,7 +117,7 @@ function showLeftOut({ leftOut, drawn }) {
 }
 
 /** The scale of colours that are not those of states. */
-function showScale(by) {
+function showScale(by, look) {
   const meaning = facts.colours.find((each) => each.by === by);
   part("scale").hidden = by === "state";
   const [low, high] = part("scale").querySelectorAll("span");
@@ -125,7 +125,7 @@ function showScale(by) {
   high.textContent = `${readable(meaning.high)} ${meaning.title.match(/\[.*\]/)?.[0] ?? ""}`;
   const bar = part("scale-bar").getContext("2d");
   const pixels = bar.createImageData(256, 1);
-  pixels.data.set(facts.scale.flat());
+  pixels.data.set(scaleOf(look).flat());
   bar.putImageData(pixels, 0, 0);
 }
 

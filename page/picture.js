@@ -247,7 +247,6 @@ class Picture {
       activeInk: look.active_ink,
       discardedInk: look.discarded_ink,
       lineWidth: strokes.line,
-      hatchPeriod: strokes.hatch,
       pixelLength: 2 / (looked.projection[5] * this.drawnSize[1]),
       edgeFade: scaled(facts.strokes.fade, strokes.line),
       cutPlanes: planes ?? new Array(8).fill(0),
@@ -259,7 +258,7 @@ class Picture {
   strokes() {
     const edge = Math.min(...this.drawnSize);
     const width = ([pixels, share]) => Math.max(pixels * this.times, share * edge);
-    return { line: width(facts.strokes.line), hatch: width(facts.strokes.hatch) };
+    return { line: width(facts.strokes.line) };
   }
 
   /** Averages the large picture into the canvas. */

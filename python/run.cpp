@@ -89,6 +89,7 @@ public:
         validateScene(scene);
         const std::shared_ptr<State> state =
             number.is_none() ? last() : frame(wholeNumberOf(number, "frame"));
+        scene.frames.selection = number.is_none() ? "last" : "all";
         return drawPicture(*mesh_, pictureSettings(reader_, scene), state->snapshot);
     }
 

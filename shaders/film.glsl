@@ -7,25 +7,19 @@ const float kPlain = float(kPlainEdge) / 255.0F;
 const float kStrong = float(kStrongEdge) / 255.0F;
 const float kCreaseEnd = 0.9F; // others' creases are not drawn from here on, of a reach of 1
 
-INLINE ShellPaint paintOf(float alpha, bool discarded, bool front, bool print)
+INLINE ShellPaint paintOf(float alpha, bool discarded, bool front)
 {
     ShellPaint paint;
     paint.density = alpha * (front ? 0.55F : 0.45F);
     paint.rimDensity = 3.0F * paint.density;
     paint.ofLine = front ? 1.0F : 0.5F;
     paint.ofEdges = discarded ? 0.0F : 1.0F;
-    if (discarded && print)
-    {
-        // A hatch is the second cue; its gaps keep the spheres behind it visible.
-        paint.density = alpha * (front ? 1.0F : 0.6F);
-        paint.rimDensity = 0.0F;
-    }
-    else if (discarded)
+    if (discarded)
     {
         // Out of the way of the spheres, which are at rest behind it: little is left but a rim.
-        paint.density = front ? 0.1F * alpha : 0.0F;
-        paint.rimDensity = front ? 0.5F * alpha : 0.0F;
-        paint.ofLine *= 0.6F;
+        paint.density = front ? 0.12F * alpha : 0.0F;
+        paint.rimDensity = front ? alpha : 0.0F;
+        paint.ofLine *= 0.85F;
     }
     return paint;
 }
@@ -40,12 +34,6 @@ INLINE real lightInFilm(real light)
 INLINE real filmShare(real density, real rimDensity, real facing)
 {
     return min(density + rimDensity * ((1.0F - facing) * (1.0F - facing)), 0.85F);
-}
-
-// The same of a hatched surface; `phase` is how many periods of the hatch lie before the point.
-INLINE real hatchedShare(float density, real phase, float period)
-{
-    return min(density * (0.35F + stripes(phase, 0.4F, 1.41F / period)), 0.85F);
 }
 
 // How much a line of that width covers in so many pixels from its middle.
@@ -75,9 +63,11 @@ INLINE real contourStrength(real outlineShare)
     return kStrong * (1.0F - outlineShare);
 }
 
+// A surface that turns about within the width of a line has no outline there: it is a noisy scan.
 INLINE real contourLine(real strength, real facing, real pixelsOfFacing, float width)
 {
     return strength * (1.0F - smoothstep(0.3F, 0.5F, facing))
+           * smoothstep(3.0F, 8.0F, pixelsOfFacing / width)
            * onLine(0.5F * facing * pixelsOfFacing, width);
 }
 

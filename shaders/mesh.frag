@@ -13,7 +13,6 @@ uniform vec4 discardedColour;
 uniform vec3 activeInk; // of lines
 uniform vec3 discardedInk;
 uniform float lineWidth; // [pixel]
-uniform float hatchPeriod; // [pixel]
 uniform float pixelLength; // of one, in eye space at distance 1, or at any without perspective
 uniform vec2 edgeFade; // plain edges appear where triangles grow from one to the other [pixel]
 
@@ -70,12 +69,8 @@ void main()
 
     bool discarded = state == kDiscardedPolygon;
     vec4 base = discarded ? discardedColour : activeColour;
-    ShellPaint paint = paintOf(base.a, discarded, front, kPrint);
+    ShellPaint paint = paintOf(base.a, discarded, front);
     float share = filmShare(paint.density, paint.rimDensity, abs(towards));
-#ifdef OUTLINES
-    float phase = (gl_FragCoord.x + (front ? 1.0 : -1.0) * gl_FragCoord.y) / hatchPeriod;
-    share = discarded ? hatchedShare(paint.density, phase, hatchPeriod) : share;
-#endif
     float line = lineCoverage(towards, paint.ofEdges) * paint.ofLine;
     float left = 1.0;
 #ifdef CUTAWAY

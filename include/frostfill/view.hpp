@@ -99,10 +99,20 @@ enum class Look : std::uint8_t
     studio, ///< for a cover: one soft lamp, shadows, crevices, a ground
 };
 
+/// The colours of a scale: those of matplotlib whose lightness grows evenly.
+enum class ColourMap : std::uint8_t
+{
+    viridis,
+    cividis,
+    plasma,
+    inferno,
+    magma,
+};
+
 /// Which edges of the mesh are drawn. Silhouettes and creases always are.
 enum class EdgeLines : std::uint8_t
 {
-    automatic, ///< those of triangles that are large in the picture
+    automatic, ///< those of triangles that are large in the picture, of at most 5,000
     on,        ///< all but those of triangles as small as a line is wide, which have no room for it
     off,       ///< none
 };
@@ -110,8 +120,10 @@ enum class EdgeLines : std::uint8_t
 struct Style
 {
     Look look = Look::clean;
-    Palette palette;                ///< by default that of the look
-    std::string colourBy = "state"; ///< the column that the colours of spheres show: columns.hpp
+    Palette palette;               ///< by default that of the look
+    std::string colourBy = "auto"; ///< the column that the colours of spheres show: columns.hpp;
+                                   ///< auto: state, or as pictureSettings decides
+    ColourMap colourMap = ColourMap::viridis;
     Cutaway cutaway;
     bool legend = true;
     bool shell = true; ///< draw the mesh as a translucent shell with its edges

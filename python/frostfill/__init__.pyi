@@ -34,7 +34,8 @@ class PictureOptions(TypedDict, total=False):
     picture_samples: int
     picture_supersample: int
     style: Literal['clean', 'paper', 'dark', 'studio']
-    color_by: Literal['radius', 'state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance', 'wall_distance', 'sphere_contacts', 'wall_contacts', 'rattler', 'cell', 'local_fraction', 'bonds', 'q6']
+    color_by: Literal['auto', 'radius', 'state', 'group', 'set', 'speed', 'height', 'contacts', 'unbalance', 'wall_distance', 'sphere_contacts', 'wall_contacts', 'rattler', 'cell', 'local_fraction', 'bonds', 'q6']
+    colour_map: Literal['viridis', 'cividis', 'plasma', 'inferno', 'magma']
     colour: str | int | Sequence[float] | Sequence[str]
     cutaway: str | int | Sequence[float] | Sequence[str]
     picture_ambient_occlusion: bool

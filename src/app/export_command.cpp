@@ -59,7 +59,7 @@ void printResult(const ExportResult& result)
                 : fmt::format("; lengths in the unit of the mesh, {:g} in a metre",
                               result.unitsPerMetre);
     line += result.cells > 0
-                ? fmt::format("; snappyHexMesh will make about {:.0f} thousand cells (--cell)",
+                ? fmt::format("; a mesher will make about {:.0f} thousand cells (--cell)",
                               std::ceil(result.cells / 1e3))
                 : "";
     fmt::print("{}{}\n", line, result.unfinished ? "; the run has not ended" : "");
@@ -171,8 +171,7 @@ void addGeometryOptions(CLI::App& command, ExportArguments& arguments)
     command
         .add_option(
             "--cell", bed.cell,
-            fmt::format("openfoam: edge of a cell before refinement, in mean diameters ({})",
-                        bed.cell))
+            fmt::format("openfoam, gmsh: largest edge of a cell, in mean diameters ({})", bed.cell))
         ->type_name("X");
     command
         .add_option("--voxels", bed.voxels,

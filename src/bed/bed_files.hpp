@@ -20,7 +20,8 @@ void writeStlBed(const Bed& bed, const std::filesystem::path& folder, Files& fil
 /// of the bed are in metres. Returns an estimate of the cells that snappyHexMesh will make.
 double writeOpenFoamCase(const Bed& bed, const std::filesystem::path& folder, Files& files);
 /// bed.geo: the exact spheres and the container for gmsh's OpenCASCADE kernel; and bed.geo.json.
-void writeGmshBed(const Bed& bed, const std::filesystem::path& folder, Files& files);
+/// Returns an estimate of the tetrahedra that gmsh will make.
+double writeGmshBed(const Bed& bed, const std::filesystem::path& folder, Files& files);
 /// bed.vti: signed distance and label of each voxel, and bed.vti.json.
 void writeVti(const Bed& bed, const std::filesystem::path& folder, Files& files);
 /// The same as distance.npy and label.npy, and volume.json.

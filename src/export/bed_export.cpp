@@ -66,7 +66,8 @@ public:
             cells_ = writeOpenFoamCase(bed, folder_, files_);
             return;
         case ExportFormat::gmsh:
-            return writeGmshBed(bed, folder_, files_);
+            cells_ = writeGmshBed(bed, folder_, files_);
+            return;
         case ExportFormat::vti:
             return writeVti(bed, folder_, files_);
         default:

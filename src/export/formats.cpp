@@ -112,7 +112,7 @@ constexpr std::array<FormatEntry, 19> kEntries = {{
     {{ExportFormat::gmsh, "gmsh", "last", "exact spheres and container for gmsh"},
      makeBedExporter<ExportFormat::gmsh>,
      {"bed.geo", "bed.geo.json"},
-     "contacts",
+     "contacts cell",
      true},
     {{ExportFormat::vti, "vti", "last", "distance and label of each voxel for VTK"},
      makeBedExporter<ExportFormat::vti>,

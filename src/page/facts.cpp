@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -34,15 +33,10 @@ constexpr std::array<std::pair<Look, const char*>, 4> kLooks = {{{Look::clean, "
 /// Which spheres a column says something of, by ColumnOf.
 constexpr std::array<const char*, 3> kSpheresOf = {"all", "running", "resting"};
 
-Json vectorJson(const Eigen::Vector3d& v)
+template <class Vector>
+Json vectorJson(const Vector& v)
 {
-    return {v.x(), v.y(), v.z()};
-}
-
-Json inkJson(const Colour& surface, const Colour& background)
-{
-    const glm::vec3 ink = inkFor(surface, background);
-    return {ink.x, ink.y, ink.z};
+    return {v[0], v[1], v[2]};
 }
 
 /// Colours and lines of a look, as pictures have them.
@@ -60,19 +54,13 @@ Json lookJson(const char* name, const Palette& palette, const PageView& view,
             {"active_polygon", palette.activePolygon},
             {"discarded_polygon", palette.discardedPolygon},
             {"text", palette.text},
-            {"active_ink", inkJson(palette.activePolygon, palette.background)},
-            {"discarded_ink", inkJson(palette.discardedPolygon, palette.background)},
+            {"active_ink", vectorJson(inkFor(palette.activePolygon, palette.background))},
+            {"discarded_ink", vectorJson(inkFor(palette.discardedPolygon, palette.background))},
+            {"scale_start", scaleStart(palette.background)},
             {"haze", uniformsOf(view.framing, settings).haze},
             {"outlines", variant.outlines},
             {"fading_lines", variant.fadingLines},
             {"studio", variant.studio}};
-}
-
-bool sameColours(const Palette& a, const Palette& b)
-{
-    return a.background == b.background && a.running == b.running && a.frozen == b.frozen &&
-           a.discarded == b.discarded && a.activePolygon == b.activePolygon &&
-           a.discardedPolygon == b.discardedPolygon && a.text == b.text;
 }
 
 /// All looks, and one with the run's own colours if it has such; `look` is the index of the run's.
@@ -88,10 +76,12 @@ void addLooks(const PageView& view, const TriangleMesh& mesh, Json& facts)
         }
         facts["looks"].push_back(lookJson(name, paletteOf(look), view, mesh, look));
     }
-    if (!sameColours(style.palette, paletteOf(style.look)))
+    const auto own = [&](const Palette& palette)
+    { return lookJson("The run's own", palette, view, mesh, style.look); };
+    if (own(style.palette) != own(paletteOf(style.look)))
     {
         facts["look"] = facts["looks"].size();
-        facts["looks"].push_back(lookJson("The run's own", style.palette, view, mesh, style.look));
+        facts["looks"].push_back(own(style.palette));
     }
 }
 
@@ -133,23 +123,22 @@ void addColours(const RunHead& head, const PageView& view, std::span<const Colum
     facts["scale"] = Json::array();
     for (int i = 0; i < 256; ++i)
     {
-        facts["scale"].push_back(scaleColour(i / 255.0));
+        facts["scale"].push_back(scaleColour(i / 255.0, view.settings.style.colourMap));
     }
 }
 
 /// Widths of lines are the greater of two: so many pixels, and a share of the picture's edge.
-void addStrokes(const PageView& view, Json& facts)
+void addStrokes(const PageView& view, const TriangleMesh& mesh, Json& facts)
 {
     constexpr int kLarge = 1 << 20;
     RenderSettings settings = view.settings;
     settings.supersample = 1;
     settings.size = {1, 1};
-    const MeshStrokes small = strokesFor(settings);
+    const MeshStrokes small = strokesFor(settings, mesh.triangles.size());
     settings.size = {kLarge, kLarge};
-    const MeshStrokes large = strokesFor(settings);
+    const MeshStrokes large = strokesFor(settings, mesh.triangles.size());
     facts["strokes"] = {
         {"line", {small.lineWidth, large.lineWidth / kLarge}},
-        {"hatch", {small.hatchPeriod, large.hatchPeriod / kLarge}},
         {"fade", {large.edgeFade[0] / large.lineWidth, large.edgeFade[1] / large.lineWidth}}};
 }
 
@@ -166,11 +155,6 @@ Json cutawayJson(const PageView& view)
         planes.push_back({plane.x, plane.y, plane.z, plane.w});
     }
     return planes;
-}
-
-Json vectorJson(const glm::dvec3& v)
-{
-    return {v.x, v.y, v.z};
 }
 
 /// Numbers of `frame`, with which the page looks from anywhere.
@@ -248,13 +232,8 @@ Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& vi
     facts["scale_of_unit"] = view.framing.scale;
     facts["origin"] = vectorJson(boundingBox(run.mesh()).center());
     facts["up"] = vectorJson(view.settings.up);
-    double foot = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector3d& vertex : view.vertices)
-    {
-        foot = std::min(foot, view.settings.up.dot(vertex));
-    }
     facts["stripe_axis"] = vectorJson(stripeAxis());
-    facts["foot"] = foot; // the lowest point, along up
+    facts["foot"] = heightsOf(view.vertices, view.settings.up).low;
     facts["groups_per_set"] = view.settings.groupsPerSet;
     facts["triangles"] = shell.facts.triangles;
     if (!shell.isTrue())
@@ -275,7 +254,7 @@ Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& vi
         view.settings.style.shellOpacity ? Json(*view.settings.style.shellOpacity) : Json();
     addLooks(view, run.mesh(), facts);
     addColours(head, view, carried, facts);
-    addStrokes(view, facts);
+    addStrokes(view, run.mesh(), facts);
     const double rate = head.interval * head.scene.frames.fps;
     facts["rate"] = rate < 1e30 ? Json(rate) : Json(); // simulated seconds a second of video
     facts["scene"] = Json::parse(run.head()).at("scene");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run/frame_drawer.hpp"
 
+#include "run/frame_timing.hpp"
+
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
@@ -19,6 +21,14 @@ RenderSettings renderSettings(const Scene& scene, const ColourRange& range, std:
     settings.size = scene.size;
     settings.camera = scene.camera;
     settings.style = scene.style;
+    if (scene.style.colourBy == "auto" && framesToDraw(scene).isLastOnly() &&
+        !isBuiltInMesh(scene.object.mesh))
+    {
+        Palette& palette = settings.style.palette;
+        palette.running = palette.discarded = palette.frozen;
+        std::copy_n(palette.activePolygon.begin(), 3, palette.discardedPolygon.begin());
+    }
+    settings.style.colourBy = scene.style.colourBy == "auto" ? "state" : scene.style.colourBy;
     settings.samples = scene.samples;
     settings.supersample = scene.supersample;
     settings.backend = scene.backend;

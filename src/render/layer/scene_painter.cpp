@@ -40,7 +40,8 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
       variant_(variantOf(settings, mesh)),
       spherePass_(gl, uncut(variant_), samplePositions, settings_.style,
                   strokesFor(settings).lineWidth),
-      meshPass_(gl, variant_, shellPalette(settings_.style), strokesFor(settings)),
+      meshPass_(gl, variant_, shellPalette(settings_.style),
+                strokesFor(settings, mesh.triangles.size())),
       spheres_(gl, variant_.studio), regions_(settings.size.width, settings.size.height)
 {
     if (variant_.cutaway)

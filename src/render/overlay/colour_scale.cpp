@@ -18,16 +18,19 @@ namespace frostfill
 namespace
 {
 
-/// viridis at equal steps; between them straight lines are within 3 of 255.
-constexpr std::array<std::array<double, 3>, 9> kScale = {{{68, 1, 84},
-                                                          {71, 45, 123},
-                                                          {59, 82, 139},
-                                                          {44, 114, 142},
-                                                          {33, 144, 140},
-                                                          {39, 173, 129},
-                                                          {93, 200, 99},
-                                                          {170, 220, 50},
-                                                          {253, 231, 37}}};
+/// By ColourMap, 0xRRGGBB at equal steps; between them straight lines are within 11 of 255.
+constexpr std::size_t kSteps = 16;
+constexpr std::array<std::array<std::uint32_t, kSteps + 1>, 5> kMaps = {
+    {{0x440154, 0x48186a, 0x472d7b, 0x424086, 0x3b528b, 0x33638d, 0x2c728e, 0x26818e, 0x21908c,
+      0x1f9f88, 0x28ae80, 0x3ebc74, 0x5dc963, 0x82d34c, 0xabdc32, 0xd5e21a, 0xfde725},
+     {0x00224e, 0x002e6a, 0x1a386f, 0x32436d, 0x434e6c, 0x52596d, 0x61656f, 0x6f7073, 0x7c7b78,
+      0x8b8778, 0x9b9376, 0xaba072, 0xbbad6c, 0xccba64, 0xddc958, 0xefd748, 0xfee838},
+     {0x0d0887, 0x310596, 0x4c02a1, 0x6600a7, 0x7e03a8, 0x9511a2, 0xa92396, 0xbb3587, 0xcb4778,
+      0xd9596a, 0xe66c5c, 0xf07f4f, 0xf89441, 0xfdab33, 0xfdc328, 0xf9dd25, 0xf0f921},
+     {0x000004, 0x0b0724, 0x210c4a, 0x3c0965, 0x57106d, 0x70196e, 0x89226a, 0xa32b61, 0xbb3755,
+      0xd14644, 0xe35932, 0xf1711e, 0xf98d0a, 0xfcab0f, 0xf9ca32, 0xf2e865, 0xfcffa4},
+     {0x000004, 0x0a0822, 0x1d1146, 0x36106a, 0x50127c, 0x691c81, 0x822681, 0x9c2e7f, 0xb63779,
+      0xcf4170, 0xe65163, 0xf5695c, 0xfb8761, 0xfea571, 0xfec387, 0xfde0a2, 0xfcfdbf}}};
 
 /// Of frozen spheres that the column says nothing of: blue is a colour of the scale. Running and
 /// discarded ones are as in other pictures.
@@ -42,7 +45,7 @@ constexpr std::string_view kSpeedUnit = "mesh unit/s";
 
 const Column& colourColumn(const std::string& name)
 {
-    const Column* column = findColumn(name);
+    const Column* column = findColumn(name == "auto" ? "state" : name);
     if (column == nullptr || !column->colour)
     {
         throw Error(ErrorCode::usage,
@@ -98,25 +101,48 @@ std::vector<double> roundNumbers(const ColourRange& range, bool whole)
     return numbers;
 }
 
-Colour scaleColour(double value)
+ColourRange heightsOf(std::span<const Eigen::Vector3d> vertices, const Eigen::Vector3d& up)
 {
-    const double place =
-        std::clamp(std::isnan(value) ? 0.0 : value, 0.0, 1.0) * (kScale.size() - 1);
-    const auto below = std::min(static_cast<std::size_t>(place), kScale.size() - 2);
+    ColourRange heights = {std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()};
+    for (const Eigen::Vector3d& vertex : vertices)
+    {
+        heights.low = std::min(heights.low, up.dot(vertex));
+        heights.high = std::max(heights.high, up.dot(vertex));
+    }
+    return heights;
+}
+
+Colour scaleColour(double value, ColourMap map)
+{
+    const auto& colours = kMaps[static_cast<std::size_t>(map)];
+    const double place = std::clamp(std::isnan(value) ? 0.0 : value, 0.0, 1.0) * kSteps;
+    const auto below = std::min(static_cast<std::size_t>(place), kSteps - 1);
     const double share = place - static_cast<double>(below);
     Colour colour = {0, 0, 0, 255};
     for (std::size_t c = 0; c < 3; ++c)
     {
-        colour[c] = static_cast<std::uint8_t>(
-            std::lround(kScale[below][c] * (1 - share) + kScale[below + 1][c] * share));
+        const auto channel = [&](std::uint32_t rgb) { return double(rgb >> (16 - 8 * c) & 255); };
+        colour[c] = static_cast<std::uint8_t>(std::lround(channel(colours[below]) * (1 - share) +
+                                                          channel(colours[below + 1]) * share));
     }
     return colour;
+}
+
+bool isDark(const Colour& background)
+{
+    return background[0] + background[1] + background[2] < 3 * 96;
+}
+
+double scaleStart(const Colour& background)
+{
+    return isDark(background) ? 0.25 : 0;
 }
 
 SphereColours::SphereColours(const RenderSettings& settings,
                              std::span<const Eigen::Vector3d> vertices)
     : column_(&colourColumn(settings.style.colourBy)), palette_(settings.style.palette),
-      range_(settings.range), title_(titleOf(*column_)),
+      map_(settings.style.colourMap), range_(settings.range), title_(titleOf(*column_)),
       groupsPerSet_(std::max(1U, settings.groupsPerSet)), unitsPerMetre_(settings.unitsPerMetre),
       up_(settings.up)
 {
@@ -137,18 +163,12 @@ SphereColours::SphereColours(const RenderSettings& settings,
         }
         range_ = {0, box.sizes().minCoeff() / 2};
     }
-    if (column_->scale != ColumnScale::height || vertices.empty())
+    if (column_->scale == ColumnScale::height && !vertices.empty())
     {
-        return;
+        const auto [foot, top] = heightsOf(vertices, up_);
+        foot_ = foot;
+        range_ = {0, top - foot};
     }
-    double top = -std::numeric_limits<double>::infinity();
-    foot_ = -top;
-    for (const Eigen::Vector3d& vertex : vertices)
-    {
-        foot_ = std::min(foot_, up_.dot(vertex));
-        top = std::max(top, up_.dot(vertex));
-    }
-    range_ = {0, top - foot_};
 }
 
 double SphereColours::value(const Snapshot& snapshot, std::size_t sphere) const
@@ -190,29 +210,35 @@ Colour SphereColours::ofState(SphereState state) const
                                           : palette_.discarded;
 }
 
-Colour SphereColours::of(const Snapshot& snapshot, std::size_t sphere) const
+SphereState SphereColours::marked(SphereState state) const
 {
-    if (!hasScale())
-    {
-        return ofState(snapshot.states[sphere]);
-    }
-    if (!speaksOf(snapshot.states[sphere]))
-    {
-        return otherColour(snapshot.states[sphere]);
-    }
-    const double width = range_.high - range_.low;
-    const double shown = value(snapshot, sphere);
-    return std::isnan(shown) ? otherColour(snapshot.states[sphere])
-                             : scaleColour(width > 0 ? (shown - range_.low) / width : 0);
+    const bool isOne =
+        !hasScale() && palette_.running == palette_.frozen && palette_.frozen == palette_.discarded;
+    return isOne ? SphereState::frozen : state;
 }
 
-Colour SphereColours::ofSwatch(SphereState state) const
+Colour SphereColours::of(const Snapshot& snapshot, std::size_t sphere) const
 {
+    const SphereState state = snapshot.states[sphere];
     if (!hasScale())
     {
         return ofState(state);
     }
-    return speaksOf(state) ? scaleColour(0.5) : otherColour(state);
+    const double width = range_.high - range_.low;
+    const double shown = speaksOf(state) ? value(snapshot, sphere) : std::nan("");
+    return std::isnan(shown) ? otherColour(state)
+                             : scaled(width > 0 ? (shown - range_.low) / width : 0);
+}
+
+Colour SphereColours::ofSwatch(SphereState state) const
+{
+    return !hasScale() ? ofState(state) : speaksOf(state) ? scaled(0.5) : otherColour(state);
+}
+
+Colour SphereColours::scaled(double share) const
+{
+    const double start = scaleStart(palette_.background);
+    return scaleColour(start + (1 - start) * std::clamp(share, 0.0, 1.0), map_);
 }
 
 bool SphereColours::speaksOf(SphereState state) const

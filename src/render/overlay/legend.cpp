@@ -242,7 +242,7 @@ void Legend::drawBar(Image& image) const
     {
         for (int x = std::max(0, left); x < std::min(right, image.width); ++x)
         {
-            const Colour colour = scaleColour((x - left) / std::max(1.0, right - left - 1.0));
+            const Colour colour = colours_->scaled((x - left) / std::max(1.0, right - left - 1.0));
             std::copy_n(colour.begin(), image.channels,
                         image.pixels.data() + (image.at(x, y) - image.at(0, 0)));
         }

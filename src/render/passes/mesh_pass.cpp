@@ -164,7 +164,6 @@ MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Pa
     program_.set("activeColour", active);
     program_.set("discardedColour", discarded);
     program_.set("lineWidth", strokes.lineWidth);
-    program_.set("hatchPeriod", strokes.hatchPeriod);
     program_.set("edgeFade", std::array{glm::vec2(strokes.edgeFade[0], strokes.edgeFade[1])});
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/mesh_creases.hpp"
 
+#include "mesh/disjoint_sets.hpp"
+#include "mesh/vertex_triangles.hpp"
+
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
-#include <numeric>
 #include <queue>
 #include <tuple>
 
@@ -23,27 +25,9 @@ constexpr float kFine = 0.03F;
 constexpr float kShortestFineCrease = 0.3F;
 constexpr float kMinOfFine = 0.5F * (line_strength::kPlain + line_strength::kStrong);
 
-/// Sets of vertices that are joined step by step.
-class Joined
-{
-public:
-    explicit Joined(std::size_t count) : parents_(count)
-    {
-        std::iota(parents_.begin(), parents_.end(), 0U);
-    }
-    std::uint32_t find(std::uint32_t vertex)
-    {
-        while (parents_[vertex] != vertex)
-        {
-            vertex = parents_[vertex] = parents_[parents_[vertex]];
-        }
-        return vertex;
-    }
-    void join(std::uint32_t a, std::uint32_t b) { parents_[find(a)] = find(b); }
-
-private:
-    std::vector<std::uint32_t> parents_;
-};
+/// And so are those that branch at more than one of so many edges: noise of a scan that hangs
+/// together.
+constexpr float kEdgesPerKnot = 4;
 
 bool isCrease(const ShadedMesh::Edge& edge)
 {
@@ -59,32 +43,9 @@ float distanceToSegment(const glm::vec3& point, const glm::vec3& a, const glm::v
     return glm::distance(point, a + share * along);
 }
 
-/// The vertices around each vertex: those of vertex v from starts[v] to starts[v + 1].
-struct Neighbours
-{
-    std::vector<std::uint32_t> starts, vertices;
-
-    Neighbours(std::size_t count, const std::vector<ShadedMesh::Edge>& edges)
-        : starts(count + 1, 0), vertices(2 * edges.size())
-    {
-        for (const ShadedMesh::Edge& edge : edges)
-        {
-            ++starts[edge.ends[0] + 1];
-            ++starts[edge.ends[1] + 1];
-        }
-        std::partial_sum(starts.begin(), starts.end(), starts.begin());
-        std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-        for (const ShadedMesh::Edge& edge : edges)
-        {
-            vertices[next[edge.ends[0]]++] = edge.ends[1];
-            vertices[next[edge.ends[1]]++] = edge.ends[0];
-        }
-    }
-};
-
 /// Distance of every vertex from the nearest crease, at most kCreaseReach: each vertex that is
 /// reached asks its neighbours whether the crease nearest to it is nearest to them too.
-std::vector<float> spread(const std::vector<glm::vec3>& positions,
+std::vector<float> spread(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
                           const std::vector<ShadedMesh::Edge>& edges)
 {
     using Arrival = std::tuple<float, std::uint32_t, std::uint32_t>; // distance, vertex, crease
@@ -108,15 +69,20 @@ std::vector<float> spread(const std::vector<glm::vec3>& positions,
             reach(edges[i].ends[1], i);
         }
     }
-    const Neighbours neighbours(positions.size(), edges);
+    const VertexTriangles around(mesh);
     while (!arrivals.empty())
     {
         const auto [distance, vertex, crease] = arrivals.top();
         arrivals.pop();
-        for (std::uint32_t i = neighbours.starts[vertex];
-             distance == distances[vertex] && i < neighbours.starts[vertex + 1]; ++i)
+        for (const std::uint32_t triangle : around.at(vertex))
         {
-            reach(neighbours.vertices[i], crease);
+            for (const std::uint32_t neighbour : mesh.triangles[triangle])
+            {
+                if (distance == distances[vertex]) // nothing nearer has come since
+                {
+                    reach(neighbour, crease);
+                }
+            }
         }
     }
     return distances;
@@ -126,17 +92,21 @@ std::vector<float> spread(const std::vector<glm::vec3>& positions,
 
 void findStrayCreases(const std::vector<glm::vec3>& positions, ShadedMesh& shaded)
 {
-    Joined joined(positions.size());
+    DisjointSets joined(positions.size());
+    std::vector<std::uint32_t> degrees(positions.size());
     for (const ShadedMesh::Edge& edge : shaded.edges)
     {
         if (edge.crease != 0)
         {
+            ++degrees[edge.ends[0]];
+            ++degrees[edge.ends[1]];
             joined.join(edge.ends[0], edge.ends[1]);
         }
     }
     struct Chain
     {
         float edges = 0, length = 0, strength = 0; ///< the last one over the length
+        float knots = 0;                           ///< where three edges meet, or more
     };
     std::vector<Chain> chains(positions.size());
     for (const ShadedMesh::Edge& edge : shaded.edges)
@@ -148,6 +118,10 @@ void findStrayCreases(const std::vector<glm::vec3>& positions, ShadedMesh& shade
             chain.edges += 1;
             chain.length += length;
             chain.strength += length * edge.crease;
+            for (const std::uint32_t end : edge.ends)
+            {
+                chain.knots += degrees[end] > 2 ? 1.0F / static_cast<float>(degrees[end]) : 0.0F;
+            }
         }
     }
     for (ShadedMesh::Edge& edge : shaded.edges)
@@ -157,7 +131,8 @@ void findStrayCreases(const std::vector<glm::vec3>& positions, ShadedMesh& shade
             const Chain& chain = chains[joined.find(edge.ends[0])];
             const bool fine = chain.length < kFine * chain.edges;
             edge.stray = chain.length < (fine ? kShortestFineCrease : kShortestCrease) ||
-                         (fine && chain.strength < kMinOfFine * chain.length);
+                         (fine && (chain.strength < kMinOfFine * chain.length ||
+                                   kEdgesPerKnot * chain.knots > chain.edges));
         }
     }
 }
@@ -170,7 +145,7 @@ std::vector<std::array<float, 3>> distancesFromCreases(const TriangleMesh& mesh,
     {
         return {};
     }
-    const std::vector<float> distances = spread(positions, edges);
+    const std::vector<float> distances = spread(mesh, positions, edges);
     std::vector<std::array<float, 3>> ofCorners;
     ofCorners.reserve(mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles)

@@ -51,9 +51,18 @@ float angleAt(const std::array<glm::vec3, 3>& triangle, std::size_t corner)
 }
 
 /// Sum over the triangles around each corner's vertex, weighted by their angle there
-/// [Thuermer & Wuethrich 1998], of those that are not bent away by a crease.
+/// [Thuermer & Wuethrich 1998], of those that are not bent away by a crease. Stray creases are
+/// smoothed over: the noise of a scan would be seen as dots.
 void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
 {
+    std::vector<bool> creased(mesh.vertices.size());
+    for (const ShadedMesh::Edge& edge : shaded.edges)
+    {
+        for (const std::uint32_t end : edge.ends)
+        {
+            creased[end] = creased[end] || (edge.crease != 0 && !edge.stray);
+        }
+    }
     shaded.normals.resize(mesh.triangles.size());
     std::vector<std::array<float, 3>> angles(mesh.triangles.size());
     for (std::size_t t = 0; t < angles.size(); ++t)
@@ -77,7 +86,7 @@ void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
             for (const std::uint32_t other : around.at(vertex))
             {
                 const glm::vec3& neighbour = shaded.faceNormals[other];
-                if (glm::dot(face, neighbour) >= kCreaseCosine)
+                if (!creased[vertex] || glm::dot(face, neighbour) >= kCreaseCosine)
                 {
                     sum += neighbour * angles[other][cornerIn(other)];
                 }
@@ -128,13 +137,13 @@ ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& pos
         shaded.faceNormals.push_back(
             unitOrZero(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
     }
-    smoothNormals(mesh, shaded);
     findEdges(mesh, shaded);
     if (fadingLines)
     {
         findStrayCreases(positions, shaded);
         shaded.creaseDistances = distancesFromCreases(mesh, positions, shaded.edges);
     }
+    smoothNormals(mesh, shaded);
     return shaded;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/painter_settings.hpp"
 
+#include "render/overlay/colour_scale.hpp"
+
 #include <glm/common.hpp>
 
 #include <algorithm>
@@ -12,39 +14,27 @@ namespace frostfill
 namespace
 {
 
-/// In print, meshes of at most so many triangles have all their edges, as in the paper.
+/// Meshes of at most so many triangles have edges, in print all of them, as in the paper.
 constexpr std::size_t kCoarse = 5000;
 
 /// Share of the background in the furthest spheres.
 constexpr float kHaze = 0.26F;
 
-/// Heights of triangles between which their edges appear, in widths of a line.
-std::array<float, 2> edgeFade(EdgeLines edges)
-{
-    switch (edges)
-    {
-    case EdgeLines::on:
-        return {1.5F, 3.5F};
-    case EdgeLines::off:
-        return {1e8F, 2e8F};
-    case EdgeLines::automatic:
-        break;
-    }
-    return {6, 14};
-}
-
 } // namespace
 
-MeshStrokes strokesFor(const RenderSettings& settings)
+MeshStrokes strokesFor(const RenderSettings& settings, std::size_t triangles)
 {
     const auto edge = static_cast<float>(std::min(settings.size.width, settings.size.height));
     const auto pixel = static_cast<float>(settings.supersample); // of the picture made small
     const float width = std::max(0.75F * pixel, edge / 720);
-    const auto [from, to] = edgeFade(settings.style.edges);
-    return {width,
-            std::max(6.0F * pixel, edge / 72),
-            static_cast<float>(settings.size.height),
-            {from * width, to * width}};
+    const EdgeLines edges = settings.style.edges;
+    const bool off =
+        edges == EdgeLines::off || (edges == EdgeLines::automatic && triangles > kCoarse);
+    // Heights of triangles between which their edges appear, in widths of a line.
+    const auto [from, to] = off                      ? std::array{1e8F, 2e8F}
+                            : edges == EdgeLines::on ? std::array{1.5F, 3.5F}
+                                                     : std::array{6.0F, 14.0F};
+    return {width, static_cast<float>(settings.size.height), {from * width, to * width}};
 }
 
 SphereUniforms uniformsOf(const Framing& framing, const RenderSettings& settings)
@@ -99,8 +89,7 @@ std::optional<CutPlanes> cutPlanesOf(const RenderSettings& settings, const Frami
 glm::vec3 inkFor(const Colour& surface, const Colour& background)
 {
     const glm::vec3 own(toVector(surface));
-    const bool dark = background[0] + background[1] + background[2] < 3 * 96;
-    return dark ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
+    return isDark(background) ? glm::mix(own, glm::vec3(1), 0.12F) : 0.38F * own;
 }
 
 Palette shellPalette(const Style& style)

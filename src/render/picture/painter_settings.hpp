@@ -17,14 +17,14 @@ namespace frostfill
 struct MeshStrokes
 {
     float lineWidth = 1;
-    float hatchPeriod = 8;
     float pictureHeight = 720;
     std::array<float, 2> edgeFade = {0, 0}; ///< plain edges appear as triangles grow from one to
                                             ///< the other
 };
 
-/// Strokes grow with the picture, so that a large one looks like a small one, only sharper.
-[[nodiscard]] MeshStrokes strokesFor(const RenderSettings& settings);
+/// Strokes grow with the picture, so that a large one looks like a small one, only sharper. Of a
+/// mesh of very many `triangles` the larger ones show no edges: they would lie on it in patches.
+[[nodiscard]] MeshStrokes strokesFor(const RenderSettings& settings, std::size_t triangles = 0);
 
 [[nodiscard]] SphereUniforms uniformsOf(const Framing& framing, const RenderSettings& settings);
 

@@ -60,7 +60,7 @@ bool SphereDrawList::knowsWhatChanged(const Snapshot& snapshot) const
 
 std::uint32_t SphereDrawList::stateWord(const Snapshot& snapshot, std::uint32_t id) const
 {
-    auto word = static_cast<std::uint32_t>(snapshot.states[id]);
+    auto word = static_cast<std::uint32_t>(colours_->marked(snapshot.states[id]));
     if (turned_[0] != nullptr)
     {
         const auto part = [&](std::size_t i) { return turned_[i]->at(id); };
@@ -217,30 +217,8 @@ std::vector<std::uint32_t> nearestFirst(std::span<const SphereInstance> spheres,
     return {order.begin(), order.end()};            // without the keys
 }
 
-void SphereDrawList::sortFrontToBack(const Framing& framing)
+void SphereDrawList::reorder(std::vector<std::uint32_t> order)
 {
-    const std::vector<std::uint32_t> order = nearestFirst(resting_, framing);
-    std::vector<SphereInstance> spheres(order.size());
-    std::vector<std::uint32_t> ids(order.size());
-    forAll(order.size(), kSpheresPerTask,
-           [&](std::size_t i)
-           {
-               const std::uint32_t from = order[i];
-               spheres[i] = resting_[from];
-               ids[i] = restingIds_[from];
-               places_[ids[i]] = static_cast<std::uint32_t>(i);
-           });
-    resting_ = std::move(spheres);
-    restingIds_ = std::move(ids);
-}
-
-bool SphereDrawList::orderByCells()
-{
-    if (!cells_.empty() && 2 * std::size_t{cells_.back().end} > resting_.size())
-    {
-        return false;
-    }
-    auto [order, cells] = frostfill::orderByCells(resting_);
     // Round by round, in place: there are millions.
     for (std::uint32_t start = 0; start < order.size(); ++start)
     {
@@ -260,6 +238,21 @@ bool SphereDrawList::orderByCells()
     }
     forAll(restingIds_.size(), kSpheresPerTask,
            [&](std::size_t i) { places_[restingIds_[i]] = static_cast<std::uint32_t>(i); });
+}
+
+void SphereDrawList::sortFrontToBack(const Framing& framing)
+{
+    reorder(nearestFirst(resting_, framing));
+}
+
+bool SphereDrawList::orderByCells()
+{
+    if (!cells_.empty() && 2 * std::size_t{cells_.back().end} > resting_.size())
+    {
+        return false;
+    }
+    auto [order, cells] = frostfill::orderByCells(resting_);
+    reorder(std::move(order));
     cells_ = std::move(cells);
     return true;
 }

@@ -67,6 +67,8 @@ private:
     [[nodiscard]] std::uint32_t stateWord(const Snapshot& snapshot, std::uint32_t id) const;
     [[nodiscard]] SphereInstance instance(const Snapshot& snapshot, std::uint32_t id) const;
     void lookAt(const Snapshot& snapshot, std::uint32_t id);
+    /// `order`: for each place, that of the sphere that comes there.
+    void reorder(std::vector<std::uint32_t> order);
     void startAgain(const Snapshot& snapshot);
 
     const SphereColours* colours_ = nullptr; ///< during update()

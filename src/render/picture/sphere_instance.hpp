@@ -57,7 +57,7 @@ struct ShaderVariant
 {
     bool orthographic = false;
     bool cutaway = false;
-    bool outlines = false;    ///< around every sphere, and hatched polygons: for print
+    bool outlines = false;    ///< around every sphere: for print
     bool fadingLines = false; ///< the shell's lines suit triangles of any size
     bool studio = false;      ///< spheres keep light from each other
 };

@@ -33,10 +33,11 @@ SwatchShapes swatchShapes(const Legend& legend, const SphereColours& colours, in
     SwatchShapes shapes;
     for (const Legend::Swatch& swatch : legend.spheres())
     {
+        const auto state = static_cast<SphereState>(swatch.state);
         shapes.spheres.push_back(
             {static_cast<float>(swatch.x), static_cast<float>(height - swatch.y), 0,
-             static_cast<float>(swatch.halfSize), static_cast<std::uint32_t>(swatch.state),
-             colours.ofSwatch(static_cast<SphereState>(swatch.state))});
+             static_cast<float>(swatch.halfSize), static_cast<std::uint32_t>(colours.marked(state)),
+             colours.ofSwatch(state)});
     }
     const TriangleMesh mesh = squares(legend.polygons(), height);
     std::vector<glm::vec3> positions;

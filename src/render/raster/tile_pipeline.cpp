@@ -42,9 +42,9 @@ void TilePipeline::addShell(const TriangleMesh& mesh, const std::vector<glm::vec
 {
     shaded_ = shadeMesh(mesh, positions, variant_.fadingLines);
     edges_.emplace(shaded_);
-    shell_ =
-        std::make_unique<ShellRaster>(shaded_, variant_, shellPalette(viewpoint().settings().style),
-                                      strokesFor(viewpoint().settings()), samples_, avx2_);
+    shell_ = std::make_unique<ShellRaster>(
+        shaded_, variant_, shellPalette(viewpoint().settings().style),
+        strokesFor(viewpoint().settings(), mesh.triangles.size()), samples_, avx2_);
     shaded_.normals = {}; // both have what they need of these
     shaded_.edges = {};
     if (viewpoint().settings().staticLayer)

@@ -71,6 +71,12 @@ struct EnumNames<Backend>
         "auto", "osmesa", "egl", "egl-hardware", "egl-software", "egl-surfaceless", "builtin"};
 };
 template <>
+struct EnumNames<ColourMap>
+{
+    static constexpr std::array<const char*, 5> kNames = {"viridis", "cividis", "plasma", "inferno",
+                                                          "magma"};
+};
+template <>
 struct EnumNames<EdgeLines>
 {
     static constexpr std::array<const char*, 3> kNames = {"auto", "on", "off"};

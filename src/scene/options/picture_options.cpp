@@ -92,6 +92,13 @@ void addLook(TableBuilder& table)
     table.add(std::move(look));
 }
 
+std::vector<std::string> colourChoices()
+{
+    std::vector<std::string> choices = colourColumns();
+    choices.insert(choices.begin(), "auto");
+    return choices;
+}
+
 void addPicture(TableBuilder& table)
 {
     table.add("picture.size", "--size", "Width and height [pixel]", FROSTFILL_FIELD(size));
@@ -107,8 +114,9 @@ void addPicture(TableBuilder& table)
     table.add(Option{.key = "picture.color_by",
                      .flag = "--color-by",
                      .group = table.group(),
-                     .help = "What the colour of a sphere shows",
-                     .choices = colourColumns(),
+                     .help = "What colours show; auto: state, but one colour in the last "
+                             "picture of a mesh of yours",
+                     .choices = colourChoices(),
                      .get = [](const Scene& scene) { return scene.style.colourBy; },
                      .set =
                          [](Scene& scene, const OptionValue& value)
@@ -116,6 +124,8 @@ void addPicture(TableBuilder& table)
                          scene.style.colourBy = std::get<std::string>(value);
                          return true;
                      }});
+    table.add("picture.colour_map", "--colour-map", "Colours of the scale of --color-by",
+              FROSTFILL_FIELD(style.colourMap));
     // One colour for the spheres of all states; it sets the three of the palette.
     table.add(Option{.key = "picture.colour",
                      .flag = "--colour",
@@ -158,7 +168,8 @@ void addPicture(TableBuilder& table)
     table.add("picture.shell", "--shell", "Show the mesh as a translucent shell",
               FROSTFILL_FIELD(style.shell));
     table.add("picture.edges", "",
-              "Edges of the shell besides silhouettes and creases; auto: where triangles are large",
+              "Edges of the shell besides silhouettes and creases; auto: of large triangles, at "
+              "most 5000",
               FROSTFILL_FIELD(style.edges));
     table
         .add("picture.shell_opacity", "",

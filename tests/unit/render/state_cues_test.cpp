@@ -91,8 +91,8 @@ std::vector<int> profile(SphereState state)
     settings.camera.azimuth = 0;
     settings.style.legend = false;
     settings.style.shell = false;
-    settings.style.palette.running = settings.style.palette.frozen =
-        settings.style.palette.discarded = {128, 128, 128, 255};
+    settings.style.palette.running = settings.style.palette.frozen = {128, 128, 128, 255};
+    settings.style.palette.discarded = {128, 128, 129, 255}; // spheres of one colour have no marks
     Snapshot snapshot;
     addSphere(snapshot, {0, 0, 0}, 0.9, state);
     Image image;

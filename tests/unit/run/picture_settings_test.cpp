@@ -50,6 +50,26 @@ TEST(PictureSettings, DrawTheFramesOfAKeptRunAsFillDid)
     }
 }
 
+TEST(PictureSettings, GiveTheLastPictureOfAMeshOfOnesOwnOneColour)
+{
+    const auto isOne = [](const std::string& mesh, const std::string& frames, const char* colourBy)
+    {
+        Scene scene = presetScene(Preset::fast, "cube");
+        const Simulation simulation(scene, loadMesh("cube").mesh);
+        scene.object.mesh = mesh;
+        scene.frames.selection = frames;
+        scene.style.colourBy = colourBy;
+        const Style style = pictureSettings(simulation, scene).style;
+        EXPECT_EQ(style.colourBy, "state");
+        return style.palette.running == style.palette.frozen &&
+               style.palette.discarded == style.palette.frozen;
+    };
+    EXPECT_TRUE(isOne("vase.stl", "last", "auto"));
+    EXPECT_FALSE(isOne("vase.stl", "last", "state"));
+    EXPECT_FALSE(isOne("vase.stl", "all", "auto"));
+    EXPECT_FALSE(isOne("torus", "last", "auto"));
+}
+
 TEST(PictureSettings, OfASimulationFitItsWholeMovementAsThoseOfItsRunDo)
 {
     Scene scene = tiltedRun({}).scene;

@@ -130,9 +130,8 @@ ShellRaster::coloursOf(const SpeckSpots& spots, const Ends& lower, const Ends& u
         colours.channels[channel] = {inColour(plane.first), inColour(plane.across),
                                      inColour(plane.upwards)};
     }
-    const Mask hatched = paints([](const Paint& p) { return p.hatch; }) != 0;
-    colours.enough = ~((most - least > kEvenContour) | strokes.edges | hatched |
-                       creaseDrawn(strokes, strokes_.lineWidth));
+    colours.enough =
+        ~((most - least > kEvenContour) | strokes.edges | creaseDrawn(strokes, strokes_.lineWidth));
     return colours;
 }
 

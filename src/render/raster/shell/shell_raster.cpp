@@ -43,8 +43,7 @@ ShellRaster::ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant,
             Paint& paint = paints_[state][front];
             paint.base = 255.0F * glm::vec3(base);
             paint.ink = 255.0F * inkFor(colours[state], palette.background);
-            paint.own = lanes::paintOf(base.a, discarded, front == 1, variant_.outlines);
-            paint.hatch = !discarded || !variant_.outlines ? 0 : front == 1 ? 1.0F : -1.0F;
+            paint.own = lanes::paintOf(base.a, discarded, front == 1);
         }
     }
 }
@@ -62,9 +61,6 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
     }
     rows_.lineWidth = strokes_.lineWidth;
     rows_.print = variant_.outlines;
-    rows_.hatchPeriod = strokes_.hatchPeriod;
-    rows_.hatchShift =
-        std::ceil(static_cast<float>(size.height + kTileEdge) / strokes_.hatchPeriod);
     rows_.cut = {orthographic, grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
     rows_.cut.steepest = shading::kSteepest * grid_.perRow;
     rows_.cut.steepestBefore = variant_.fadingLines ? rows_.cut.steepest : kAnySteepness;

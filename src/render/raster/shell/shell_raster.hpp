@@ -45,9 +45,7 @@ struct ShellRows
 {
     float left = 0, bottom = 0, perColumn = 0, perRow = 0;
     float lineWidth = 1;
-    float hatchPeriod = 1; ///< [pixel]
-    float hatchShift = 0;  ///< whole periods, with which no place has a phase below 0
-    bool print = false;    ///< lines lie in the film and not over it
+    bool print = false; ///< lines lie in the film and not over it
     ShellCut cut{};
 };
 
@@ -124,7 +122,6 @@ public:
         bool edges = false; ///< has lines along edges
         bool flat = false;  ///< light and angle are those of the corners, mixed
         bool cut = false;   ///< the cutaway may take a part of it
-        float hatch = 0;    ///< 0, or which way the hatch of print goes: 1 or -1
     };
 
 private:
@@ -178,7 +175,6 @@ private:
     {
         glm::vec3 base, ink; ///< [0..255]
         shading::ShellPaint own;
-        float hatch = 0; ///< as Setup has it
     };
 
     [[nodiscard]] const Paint& paintOf(PolygonState state, bool front) const

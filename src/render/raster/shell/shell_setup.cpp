@@ -88,7 +88,6 @@ FROSTFILL_INLINE void ShellRaster::setUpAny(const Triangles& triangles,
         setup.ink = paint.ink;
         setup.density = paint.own.density;
         setup.rimDensity = paint.own.rimDensity;
-        setup.hatch = paint.hatch;
         setup.cut = place.cut;
         setup.edges = columns.edges[lane] != 0;
         setup.lines = columns.lines[lane] != 0 || place.cut;

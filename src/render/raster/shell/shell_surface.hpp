@@ -32,14 +32,6 @@ FROSTFILL_INLINE Floats curved(const ShellRaster::Setup& s, const ShellRows& f, 
     return lightInFilm(lightOn({nx * length, ny * length, nz * length}));
 }
 
-/// How much of it a hatched surface covers.
-FROSTFILL_INLINE Floats hatchedShare(const ShellRaster::Setup& s, const ShellRows& f, Floats x,
-                                     Floats y)
-{
-    const Floats phase = (x + s.hatch * y) * (1 / f.hatchPeriod) + f.hatchShift;
-    return hatchedShare(s.density, phase, f.hatchPeriod);
-}
-
 /// Of the surface: how much it covers and the light on it; and how much its lines cover of that.
 template <bool lines>
 FROSTFILL_INLINE std::pair<SurfaceSample, Floats>
@@ -65,8 +57,7 @@ surfaceAndLine(const ShellRaster::Setup& s, const ShellRows& f, Floats x, Floats
     {
         surface.light = curved(s, f, x, y, b0, b1, b2, facing);
     }
-    surface.share = s.hatch != 0 ? hatchedShare(s, f, x, y)
-                                 : filmShare(all(s.density), all(s.rimDensity), facing);
+    surface.share = filmShare(all(s.density), all(s.rimDensity), facing);
     if constexpr (!lines)
     {
         return {surface, Floats{}};

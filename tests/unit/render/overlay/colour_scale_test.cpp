@@ -19,24 +19,84 @@ using test::expectError;
 
 constexpr int kSteps = 16;
 
-Eigen::Vector3d seen(const Eigen::Matrix3d& vision, double value)
+constexpr std::array kMaps = {ColourMap::viridis, ColourMap::cividis, ColourMap::plasma,
+                              ColourMap::inferno, ColourMap::magma};
+
+Eigen::Vector3d seen(const Eigen::Matrix3d& vision, double value,
+                     ColourMap map = ColourMap::viridis)
 {
-    const Colour colour = scaleColour(value);
+    const Colour colour = scaleColour(value, map);
     return lab(vision * Eigen::Vector3d(linear(colour[0] / 255.0), linear(colour[1] / 255.0),
                                         linear(colour[2] / 255.0)));
 }
 
 TEST(ColourScale, GetsLighterForEveryKindOfColourVision)
 {
-    for (const Eigen::Matrix3d& vision : visions())
+    for (const ColourMap map : kMaps)
     {
-        for (int i = 0; i < kSteps; ++i)
+        for (const Eigen::Matrix3d& vision : visions())
         {
-            EXPECT_GT(seen(vision, (i + 1.0) / kSteps)[0], seen(vision, double{1} * i / kSteps)[0])
-                << "vision\n"
-                << vision << "\nstep " << i;
+            for (int i = 0; i < kSteps; ++i)
+            {
+                EXPECT_GT(seen(vision, (i + 1.0) / kSteps, map)[0],
+                          seen(vision, double{1} * i / kSteps, map)[0])
+                    << "map " << int(map) << " vision\n"
+                    << vision << "\nstep " << i;
+            }
         }
     }
+}
+
+TEST(ColourScale, HasTheColoursOfMatplotlib)
+{
+    // The lowest, the middle and the highest colour of matplotlib 3.6.
+    const std::array<std::array<Colour, 3>, 5> expected = {
+        {{{{68, 1, 84, 255}, {33, 145, 140, 255}, {253, 231, 37, 255}}},
+         {{{0, 34, 78, 255}, {125, 124, 120, 255}, {254, 232, 56, 255}}},
+         {{{13, 8, 135, 255}, {204, 71, 120, 255}, {240, 249, 33, 255}}},
+         {{{0, 0, 4, 255}, {188, 55, 84, 255}, {252, 255, 164, 255}}},
+         {{{0, 0, 4, 255}, {183, 55, 121, 255}, {252, 253, 191, 255}}}}};
+    for (std::size_t map = 0; map < kMaps.size(); ++map)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+        {
+            const Colour colour = scaleColour(0.5 * static_cast<double>(i), kMaps[map]);
+            for (std::size_t c = 0; c < 4; ++c)
+            {
+                EXPECT_NEAR(colour[c], expected[map][i][c], 1) << map << ' ' << i;
+            }
+        }
+    }
+}
+
+TEST(ColourScale, CanBeSeenOnADarkBackground)
+{
+    RenderSettings settings;
+    settings.style.palette = paletteOf(Look::dark);
+    settings.style.colourBy = "radius";
+    const Colour& ground = settings.style.palette.background;
+    const auto lightness = [](const Colour& colour)
+    {
+        return lab(
+            {linear(colour[0] / 255.0), linear(colour[1] / 255.0), linear(colour[2] / 255.0)})[0];
+    };
+    for (const ColourMap map : kMaps)
+    {
+        settings.style.colourMap = map;
+        const SphereColours colours(settings, {});
+        EXPECT_GT(lightness(colours.scaled(0)), lightness(ground) + 12) << int(map);
+        EXPECT_EQ(colours.scaled(1), scaleColour(1, map));
+    }
+}
+
+TEST(ColourScale, IsNoneByDefaultAndSpheresOfOneColourHaveNoMarks)
+{
+    RenderSettings settings;
+    EXPECT_FALSE(SphereColours(settings, {}).hasScale());
+    EXPECT_EQ(SphereColours(settings, {}).marked(SphereState::discarded), SphereState::discarded);
+    Palette& palette = settings.style.palette;
+    palette.running = palette.discarded = palette.frozen;
+    EXPECT_EQ(SphereColours(settings, {}).marked(SphereState::discarded), SphereState::frozen);
 }
 
 TEST(ColourScale, EqualStepsAreSeenForEveryKindOfColourVision)
@@ -196,7 +256,7 @@ const std::vector<Eigen::Vector3d> kVertices = {{-9, 1, 0}, {9, 9, 0}};
 std::vector<Colour> coloursBy(const std::string& by, ColourRange range = {})
 {
     RenderSettings settings;
-    settings.style.palette = paletteOf(Look::dark);
+    settings.style.palette = paletteOf(Look::paper);
     settings.style.colourBy = by;
     settings.range = range;
     settings.groupsPerSet = 5;
@@ -208,7 +268,7 @@ std::vector<Colour> coloursBy(const std::string& by, ColourRange range = {})
 
 TEST(SphereColours, AreThoseOfThePaletteForStates)
 {
-    const Palette palette = paletteOf(Look::dark);
+    const Palette palette = paletteOf(Look::paper);
     EXPECT_EQ(coloursBy("state"),
               (std::vector<Colour>{palette.running, palette.frozen, palette.discarded}));
 }

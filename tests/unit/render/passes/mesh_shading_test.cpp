@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace frostfill
 {
@@ -100,6 +101,34 @@ TEST(MeshShading, ABendOfMoreThan35DegreesIsACreaseAndNotSmoothedOver)
         const double cosine = glm::dot(shaded.normals[0][0], shaded.faceNormals[0]);
         EXPECT_NEAR(cosine, isCrease ? 1 : std::cos(bend / 2), 1e-5) << degrees;
     }
+}
+
+TEST(MeshShading, ARoughScanHasHardlyAnyCreasesAndIsSmooth)
+{
+    TriangleMesh mesh = torusMesh(1, 0.4, 480, 160);
+    std::mt19937 random(1);
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        for (double& x : vertex)
+        {
+            x += 0.006 * (static_cast<double>(random()) / 4294967296.0 - 0.5); // half an edge
+        }
+    }
+    const ShadedMesh rough = shade(mesh);
+    const auto isBent = [](const ShadedMesh::Edge& edge) { return edge.crease != 0; };
+    const auto isCrease = [](const ShadedMesh::Edge& edge)
+    { return edge.crease != 0 && !edge.stray; };
+    EXPECT_GT(std::count_if(rough.edges.begin(), rough.edges.end(), isBent), 1000);
+    EXPECT_LT(20 * std::count_if(rough.edges.begin(), rough.edges.end(), isCrease),
+              std::count_if(rough.edges.begin(), rough.edges.end(), isBent));
+    double least = 1;
+    for (std::size_t t = 0; t < rough.triangles.size(); ++t)
+    {
+        const glm::vec3 p = rough.corners(t)[0];
+        const glm::vec3 ring = glm::normalize(glm::vec3(p.x, p.y, 0));
+        least = std::min<double>(least, glm::dot(rough.normals[t][0], glm::normalize(p - ring)));
+    }
+    EXPECT_GT(least, 0.5);
 }
 
 TEST(MeshShading, RimOfAHoleIsDrawn)

@@ -233,11 +233,8 @@ TEST(Shading, SkyIsHiddenMoreTheMoreANeighbourRisesAndTheLargerItIs)
 
 TEST(Shading, DiscardedPolygonsHaveNoPlainEdges)
 {
-    for (const bool print : {false, true})
-    {
-        EXPECT_EQ(lanes::paintOf(0.5F, true, true, print).ofEdges, 0);
-        EXPECT_EQ(lanes::paintOf(0.5F, false, true, print).ofEdges, 1);
-    }
+    EXPECT_EQ(lanes::paintOf(0.5F, true, true).ofEdges, 0);
+    EXPECT_EQ(lanes::paintOf(0.5F, false, true).ofEdges, 1);
     const lanes::Floats none = lanes::edgeStrength(all(lanes::kPlain), all(0), all(1));
     const lanes::Floats crease = lanes::edgeStrength(all(0.5F), all(0), all(1));
     EXPECT_EQ(none[0], 0);
