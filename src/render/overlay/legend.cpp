@@ -40,6 +40,8 @@ constexpr std::string_view kWidestNumber = "000000";
 
 /// Rows with a number below this count spheres, the others polygons.
 constexpr int kPolygonRow = 3;
+/// From this on they count all, and have no swatch.
+constexpr int kTotalRow = 5;
 
 /// In the place of a number: a row without one, with and without a gap above.
 constexpr int kHeading = -1;
@@ -98,7 +100,7 @@ void Legend::addRow(const std::string& label, int number)
     // Letters stand on a line that leaves a fifth of the type's size below it.
     const double baseline = height_ + (0.5 * (kLine - 1) + 0.85) * size;
     rows_.push_back({label, baseline, number});
-    if (number >= 0)
+    if (number >= 0 && number < kTotalRow)
     {
         // Swatches are centred on the small letters. Halves of pixels keep them symmetrical.
         const double y = std::round(baseline - 0.3 * size);
@@ -114,13 +116,21 @@ void Legend::layOut()
 {
     const double size = font_->size();
     height_ = kLegendMargin * size + (title_.empty() ? 0 : (kTitleSize * kLine + kGap) * size);
-    addRow("Spheres", kHeading);
-    addRow("running", 0);
-    addRow("frozen", 1);
-    addRow("discarded", 2);
-    addRow("Polygons", kHeading);
-    addRow("active", 3);
-    addRow("discarded", 4);
+    if (palette_.running == palette_.frozen && palette_.frozen == palette_.discarded)
+    {
+        addRow("spheres", kTotalRow);
+        addRow("polygons", kTotalRow + 1);
+    }
+    else
+    {
+        addRow("Spheres", kHeading);
+        addRow("running", 0);
+        addRow("frozen", 1);
+        addRow("discarded", 2);
+        addRow("Polygons", kHeading);
+        addRow("active", 3);
+        addRow("discarded", 4);
+    }
     // What is drawn here is known only with the snapshot.
     firstOfPicture_ = rows_.size();
     addRow("", kHeading);
@@ -156,9 +166,14 @@ std::vector<Legend::Piece> Legend::pieces(const Snapshot& snapshot) const
     };
 
     pieces.push_back({Piece::Kind::title, left, (kLegendMargin + kTitleSize * 0.9) * size, title_});
-    const std::array<std::size_t, 5> counts = {
-        snapshot.running, snapshot.frozen, snapshot.discarded,
-        triangles_ - std::min(triangles_, snapshot.discardedPolygons), snapshot.discardedPolygons};
+    const std::array<std::size_t, 7> counts = {
+        snapshot.running,
+        snapshot.frozen,
+        snapshot.discarded,
+        triangles_ - std::min(triangles_, snapshot.discardedPolygons),
+        snapshot.discardedPolygons,
+        snapshot.running + snapshot.frozen + snapshot.discarded,
+        triangles_};
     for (const Row& row : rows_)
     {
         if (row.number < 0)
@@ -166,7 +181,7 @@ std::vector<Legend::Piece> Legend::pieces(const Snapshot& snapshot) const
             write(left, row.baseline, row.label);
             continue;
         }
-        write(left + kLabelIndent * size, row.baseline, row.label);
+        write(left + (row.number < kTotalRow ? kLabelIndent * size : 0), row.baseline, row.label);
         const std::string number = fmt::format("{}", counts[static_cast<std::size_t>(row.number)]);
         const double right = width_ - kLegendMargin * size;
         const double room = font_->measure(kWidestNumber);

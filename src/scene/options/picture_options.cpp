@@ -114,8 +114,7 @@ void addPicture(TableBuilder& table)
     table.add(Option{.key = "picture.color_by",
                      .flag = "--color-by",
                      .group = table.group(),
-                     .help = "What colours show; auto: state, but one colour in the last "
-                             "picture of a mesh of yours",
+                     .help = "What colours show; auto: state, or one for a finished mesh of yours",
                      .choices = colourChoices(),
                      .get = [](const Scene& scene) { return scene.style.colourBy; },
                      .set =

@@ -40,7 +40,7 @@ protected:
         request.out = folder_ / "out";
         request.overwrite = true;
         request.bed.voxels = 32;
-        request.bed.cell = 0.5;
+        request.bed.cell = format == ExportFormat::gmsh ? 0.25 : 0.5;
         request.bed.ascii = ascii;
         request.bed.resolution = resolution;
         parseContacts(contacts, request.bed);

@@ -37,9 +37,9 @@ Snapshot someState()
     return snapshot;
 }
 
-TEST(Legend, HasEachNumberBesideItsName)
+/// What a legend says, from the top.
+std::string textOf(const Legend& legend)
 {
-    const Legend legend = legendOf(usual());
     std::map<double, std::vector<Legend::Piece>> lines; // from the top
     for (const Legend::Piece& piece : legend.pieces(someState()))
     {
@@ -56,10 +56,25 @@ TEST(Legend, HasEachNumberBesideItsName)
         }
         text.back() = '\n';
     }
-    EXPECT_EQ(text, "a title\n"
-                    "Spheres\nrunning 3\nfrozen 50\ndiscarded 700\n"
-                    "Polygons\nactive 89\ndiscarded 11\n"
-                    "set 4  step 77\n1.250 s\n");
+    return text;
+}
+
+TEST(Legend, HasEachNumberBesideItsName)
+{
+    EXPECT_EQ(textOf(legendOf(usual())), "a title\n"
+                                         "Spheres\nrunning 3\nfrozen 50\ndiscarded 700\n"
+                                         "Polygons\nactive 89\ndiscarded 11\n"
+                                         "set 4  step 77\n1.250 s\n");
+}
+
+TEST(Legend, CountsAllWhereStatesHaveOneColour)
+{
+    RenderSettings settings = usual();
+    Palette& palette = settings.style.palette;
+    palette.running = palette.discarded = palette.frozen;
+    const Legend legend = legendOf(settings);
+    EXPECT_EQ(textOf(legend), "a title\nspheres 753\npolygons 100\nset 4  step 77\n1.250 s\n");
+    EXPECT_TRUE(legend.spheres().empty());
 }
 
 TEST(Legend, HasASwatchOfEachStateBesideItsName)
