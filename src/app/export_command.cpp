@@ -48,7 +48,7 @@ void printResult(const ExportResult& result)
 {
     const std::size_t others = result.files.size() - 1;
     std::string line = result.files.front().string();
-    line += others > 0 ? fmt::format(" and {} files beside it", others) : "";
+    line += others > 0 ? fmt::format(" and {} beside it", counted(others, "file")) : "";
     line += fmt::format(": {}", counted(result.frames, "frame"));
     line += result.repeats > 0 ? fmt::format(" ({} more show the same times)", result.repeats) : "";
     line += fmt::format(", {} spheres, {:.3g} MB", result.spheres,
