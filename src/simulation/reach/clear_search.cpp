@@ -2,7 +2,6 @@
 #include "simulation/reach/clear_search.hpp"
 
 #include <array>
-#include <bit>
 #include <cmath>
 
 namespace frostfill
@@ -10,7 +9,7 @@ namespace frostfill
 namespace
 {
 
-constexpr std::size_t kSide = 4; ///< parts side by side
+constexpr std::size_t kSide = ClearSearch::kSide;
 
 /// The parts of a cube, a bit each with x fastest, by their middles along each axis.
 struct Parts
@@ -62,7 +61,9 @@ struct Parts
 
 } // namespace
 
-bool ClearSearch::mayHold(const Eigen::Vector3d& middle, double edge, std::uint32_t rows) const
+ClearSearch::Place
+ClearSearch::find(const Eigen::Vector3d& middle, double edge, std::uint32_t rows,
+                  const std::function<bool(const Eigen::Vector3d&)>& isWanted) const
 {
     const Parts parts(middle, edge);
     std::uint64_t left = ~std::uint64_t{0};
@@ -77,21 +78,60 @@ bool ClearSearch::mayHold(const Eigen::Vector3d& middle, double edge, std::uint3
                                      ~parts.inBall(ball.position(), ball.radius + probe_ - overlap);
                              }
                          });
-    // How near a wall is to the middle of a part that it excludes as a whole.
-    const double exclusion = std::max(0.0, probe_ - overlap - kHalfDiagonal * parts.edge);
-    while (left != 0)
+    if (left == 0)
     {
-        const auto part =
-            static_cast<int>(std::bit_width(left)) - 1; // the last ones are mostly clear, if any is
-        left &= ~(std::uint64_t{1} << part);
-        const Eigen::Vector3d p = parts.middle(part);
-        const std::span<const std::uint32_t> walls = triangles_.near(p);
-        if (walls.empty() || std::abs(triangles_.nearest(p, walls, exclusion).value) >= exclusion)
+        return Place::none;
+    }
+    // How near a wall is to the middle of a part that it excludes as a whole.
+    const double exclusion = std::max(0.0, probe_ - overlap - reachOfPart(edge));
+    // Parts beside one another are mostly excluded by the same place of a wall.
+    std::optional<Eigen::Vector3d> wall = wallNear(middle, exclusion + kHalfDiagonal * edge);
+    const bool isWalled = wall.has_value();
+    const Eigen::Vector3d away = isWalled ? middle - *wall : Eigen::Vector3d(1, 1, 1);
+    const auto isClear = [&](const Eigen::Vector3d& p)
+    {
+        if (isWalled && (p - *wall).squaredNorm() >= exclusion * exclusion)
         {
-            return true;
+            const std::optional<Eigen::Vector3d> other = wallNear(p, exclusion);
+            wall = other ? other : wall;
+            return !other;
+        }
+        return !isWalled;
+    };
+    Place found = Place::none;
+    const int first = (away.x() < 0 ? 0 : 3) | (away.y() < 0 ? 0 : 12) | (away.z() < 0 ? 0 : 48);
+    for (int k = 0; k < 64; ++k)
+    {
+        const int part = first ^ k; // those away from the wall come first
+        const Eigen::Vector3d p = parts.middle(part);
+        if ((left >> part & 1) == 0)
+        {
+            continue;
+        }
+        const bool wanted = isWanted(p);
+        if ((wanted || found == Place::none) && isClear(p))
+        {
+            if (wanted)
+            {
+                return Place::wanted;
+            }
+            found = Place::elsewhere;
         }
     }
-    return false;
+    return found;
+}
+
+// The nearest point of a wall, if it is nearer than that.
+std::optional<Eigen::Vector3d> ClearSearch::wallNear(const Eigen::Vector3d& p,
+                                                     double distance) const
+{
+    const std::span<const std::uint32_t> walls = triangles_.near(p);
+    if (walls.empty())
+    {
+        return std::nullopt;
+    }
+    const SignedDistance nearest = triangles_.nearest(p, walls, distance);
+    return std::abs(nearest.value) < distance ? std::optional(nearest.closest) : std::nullopt;
 }
 
 } // namespace frostfill

@@ -6,6 +6,8 @@
 #include "simulation/world/sphere_grid.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 
 namespace frostfill
 {
@@ -17,18 +19,36 @@ namespace frostfill
 class ClearSearch
 {
 public:
+    static constexpr int kSide = 4; ///< parts of a cube side by side
+
     /// The searches live as long as this. `probe`: radius of the smallest sphere [r].
     ClearSearch(const SphereGrid& resting, const TriangleGrid& triangles, double probe)
         : resting_(resting), triangles_(triangles), probe_(probe)
     {
     }
 
-    /// False only when no point of the cube is clear of the walls and of the first `rows` spheres
-    /// at rest.
-    [[nodiscard]] bool mayHold(const Eigen::Vector3d& middle, double edge,
-                               std::uint32_t rows) const;
+    /// What a cube may hold.
+    enum class Place
+    {
+        none,
+        elsewhere, ///< in parts that are not wanted
+        wanted
+    };
+    /// `none` only when no point of the cube is clear of the walls and of the first `rows` spheres
+    /// at rest; otherwise whether isWanted(middle) holds for one of the parts that may be clear.
+    [[nodiscard]] Place find(const Eigen::Vector3d& middle, double edge, std::uint32_t rows,
+                             const std::function<bool(const Eigen::Vector3d&)>& isWanted) const;
+    [[nodiscard]] bool mayHold(const Eigen::Vector3d& middle, double edge, std::uint32_t rows) const
+    {
+        return find(middle, edge, rows, [](const Eigen::Vector3d&) { return true; }) != Place::none;
+    }
+    /// How far a point of a part is from its middle at most.
+    [[nodiscard]] static double reachOfPart(double edge) { return kHalfDiagonal * edge / kSide; }
 
 private:
+    [[nodiscard]] std::optional<Eigen::Vector3d> wallNear(const Eigen::Vector3d& p,
+                                                          double distance) const;
+
     const SphereGrid& resting_;
     const TriangleGrid& triangles_;
     double probe_;

@@ -149,21 +149,35 @@ void Discards::close(const Ball& ball)
 bool Discards::canBeTouched(const Ball& ball)
 {
     const double reach = ball.radius + world_.radii.largest() + kTouch;
-    return findRowOfBall(open_->cubes.frame(), ball.position(), reach, kMeetsBall,
+    const double ofPart = reach + ClearSearch::reachOfPart(open_->cubes.frame().cell);
+    const Eigen::Vector3d centre = ball.position();
+    const auto isNear = [&](const Eigen::Vector3d& part)
+    { return (part - centre).squaredNorm() <= ofPart * ofPart; };
+    return findRowOfBall(open_->cubes.frame(), centre, reach, kMeetsBall,
                          [&](int y, int z, CellRun run)
-                         { return findClear(y, z, run, [](int) { return true; }); });
+                         {
+                             return findPlace(
+                                 y, z, run, [](int) { return true; }, isNear);
+                         });
 }
 
 bool Discards::canBeTouched(std::uint32_t polygon)
 {
     const Cubes& cubes = open_->cubes;
-    const double distance = world_.radii.largest() + kTouch + kHalfDiagonal * cubes.frame().cell;
-    const TriangleRows rows(cubes.frame(), world_.surface, polygon, distance);
+    const double reach = world_.radii.largest() + kTouch;
+    const TriangleRows rows(cubes.frame(), world_.surface, polygon,
+                            reach + kHalfDiagonal * cubes.frame().cell);
+    const NearTriangle near(world_.surface, polygon,
+                            reach + ClearSearch::reachOfPart(cubes.frame().cell));
+    const auto isNear = [&](const Eigen::Vector3d& part) { return near.contains(part); };
     std::uint64_t row = 0;
     return rows.find(
         row,
-        [&](int y, int z, CellRun most) {
-            return findClear(y, z, rows.run(y, z, most), [&](int x) { return rows.near(x, y, z); });
+        [&](int y, int z, CellRun most)
+        {
+            const CellRun run = rows.run(y, z, most);
+            return findPlace(
+                y, z, run, [&](int x) { return rows.near(x, y, z); }, isNear);
         },
         [&](int y, int z, int last, CellRun most)
         {
@@ -175,28 +189,30 @@ bool Discards::canBeTouched(std::uint32_t polygon)
         });
 }
 
-// Whether one of the cubes of a row that is near may hold a place. Those that hold none are closed.
-template <class IsNear>
-bool Discards::findClear(int y, int z, CellRun run, IsNear&& isNear)
+// Whether one of the cubes of a row that are near may hold a place in a part that is near. Cubes
+// that hold none at all are closed.
+template <class IsCubeNear>
+bool Discards::findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear, const IsNear& isNear)
 {
     const Cubes& cubes = open_->cubes;
     bool found = false;
-    forEachWordOf(
-        run,
-        [&](int x, std::uint64_t bits)
-        {
-            std::uint64_t& open = open_->inside[cubes.word(x, y, z)];
-            for (bits &= open; bits != 0 && !found; bits &= bits - 1)
-            {
-                const int cube = 64 * x + std::countr_zero(bits);
-                if (!isNear(cube))
-                {
-                    continue;
-                }
-                found = search_.mayHold(cubes.middle({cube, y, z}), cubes.frame().cell, mark_);
-                open &= found ? open : ~(bits & -bits);
-            }
-        });
+    forEachWordOf(run,
+                  [&](int x, std::uint64_t bits)
+                  {
+                      std::uint64_t& open = open_->inside[cubes.word(x, y, z)];
+                      for (bits &= open; bits != 0 && !found; bits &= bits - 1)
+                      {
+                          const int cube = 64 * x + std::countr_zero(bits);
+                          if (!isCubeNear(cube))
+                          {
+                              continue;
+                          }
+                          const auto place = search_.find(cubes.middle({cube, y, z}),
+                                                          cubes.frame().cell, mark_, isNear);
+                          found = place == ClearSearch::Place::wanted;
+                          open &= place == ClearSearch::Place::none ? ~(bits & -bits) : open;
+                      }
+                  });
     return found;
 }
 

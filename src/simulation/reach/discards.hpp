@@ -6,6 +6,7 @@
 #include "simulation/world/world.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,13 +34,16 @@ public:
     void use(OpenCubes&& open);
 
 private:
+    using IsNear = std::function<bool(const Eigen::Vector3d&)>;
+
     [[nodiscard]] std::uint32_t newestMark() const;
     [[nodiscard]] bool findOpenCubes();
     void close(const Ball& ball);
     [[nodiscard]] bool canBeTouched(const Ball& ball);
     [[nodiscard]] bool canBeTouched(std::uint32_t polygon);
-    template <class IsNear>
-    [[nodiscard]] bool findClear(int y, int z, CellRun run, IsNear&& isNear);
+    template <class IsCubeNear>
+    [[nodiscard]] bool findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear,
+                                 const IsNear& isNear);
     void discardFrom(std::uint32_t newest, bool allGo);
 
     World& world_;
