@@ -91,6 +91,34 @@ public:
         forEachWordOf(run, [&](int x, std::uint64_t bits) { found |= set[word(x, y, z)] & bits; });
         return found != 0;
     }
+    /// False only when no cube of a set is in a box: looks at whole bricks, whose words follow each
+    /// other.
+    [[nodiscard]] bool mayHaveAny(const CubeSet& set, const Eigen::AlignedBox3d& box) const
+    {
+        constexpr int kSide = BrickedCells<1>::kSide;
+        const GridPlace low = frame_.coordinates(box.min());
+        const GridPlace high = frame_.coordinates(box.max());
+        std::uint64_t found = 0;
+        for (int z = low[2] / kSide; z <= high[2] / kSide && found == 0; ++z)
+        {
+            for (int y = low[1] / kSide; y <= high[1] / kSide && found == 0; ++y)
+            {
+                forEachWordOf({low[0], high[0]},
+                              [&](int x, std::uint64_t bits)
+                              {
+                                  const std::size_t some = word(x, y * kSide, z * kSide);
+                                  const std::uint64_t* first = &set[some - some % kNowhere];
+                                  std::uint64_t all = 0;
+                                  for (std::size_t k = 0; k < kNowhere; ++k)
+                                  {
+                                      all |= first[k];
+                                  }
+                                  found |= all & bits;
+                              });
+            }
+        }
+        return found != 0;
+    }
     /// Calls visit(CubeWord) for the cubes of other words that share a face with `cubes`.
     template <class Visit>
     void forEachNeighbour(CubeWord cubes, Visit&& visit) const

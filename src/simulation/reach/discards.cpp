@@ -148,9 +148,13 @@ void Discards::close(const Ball& ball)
 
 bool Discards::canBeTouched(const Ball& ball)
 {
-    const double reach = ball.radius + world_.radii.largest() + kTouch;
+    const double reach = ball.radius + world_.radii.largest() + kDiscardGap;
     const double ofPart = reach + ClearSearch::reachOfPart(open_->cubes.frame().cell);
     const Eigen::Vector3d centre = ball.position();
+    if (!open_->cubes.mayHaveAny(open_->inside, {centre.array() - reach, centre.array() + reach}))
+    {
+        return false;
+    }
     const auto isNear = [&](const Eigen::Vector3d& part)
     { return (part - centre).squaredNorm() <= ofPart * ofPart; };
     return findRowOfBall(open_->cubes.frame(), centre, reach, kMeetsBall,
@@ -164,7 +168,17 @@ bool Discards::canBeTouched(const Ball& ball)
 bool Discards::canBeTouched(std::uint32_t polygon)
 {
     const Cubes& cubes = open_->cubes;
-    const double reach = world_.radii.largest() + kTouch;
+    const double reach = world_.radii.largest() + kDiscardGap;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : world_.surface[polygon].corner)
+    {
+        box.extend(Eigen::Vector3d(corner.array() - reach));
+        box.extend(Eigen::Vector3d(corner.array() + reach));
+    }
+    if (!cubes.mayHaveAny(open_->inside, box))
+    {
+        return false;
+    }
     const TriangleRows rows(cubes.frame(), world_.surface, polygon,
                             reach + kHalfDiagonal * cubes.frame().cell);
     const NearTriangle near(world_.surface, polygon,

@@ -18,7 +18,7 @@ inline constexpr double kReachRounding = 1e-9;
 inline constexpr double kOverlap = 1e-5;
 /// Gaps up to this count as contacts, as they do for the judge. [r] Larger: less is discarded.
 /// Smaller: what is discarded may count one contact more.
-inline constexpr double kTouch = 0.01;
+inline constexpr double kDiscardGap = 0.01;
 
 /// Edge of a cube. [smallest radius] Larger: parts of an object are found less exactly, and more
 /// cubes of a pile have to be searched. Smaller: time and memory with the inverse cube.

@@ -135,7 +135,7 @@ TEST_P(Discarded, IsNeverTouchedAgain)
         scene.spheres.untilFull = untilFull;
         Watch watch(scene, *mesh);
         watch.run();
-        EXPECT_GE(watch.nearest, 0.99 * kTouch);
+        EXPECT_GE(watch.nearest, 0.99 * kDiscardGap);
         EXPECT_GT(watch.looks, 100U);
         const auto spheres = static_cast<double>(watch.last().states.size());
         EXPECT_GT(static_cast<double>(watch.last().discarded), spheres * (untilFull ? 0.99 : 0.25));
@@ -163,7 +163,7 @@ TEST(Discards, AreNeverTouchedAgainBySpheresOfSeveralSizes)
         scene.spheres.radius = Radii(0.09, 0.16);
         Watch watch(scene, mesh);
         watch.run();
-        EXPECT_GE(watch.nearest, 0.99 * kTouch);
+        EXPECT_GE(watch.nearest, 0.99 * kDiscardGap);
         EXPECT_GT(watch.last().discarded, 14U);
         EXPECT_GT(watch.last().discardedPolygons, 70U);
     }
