@@ -2,6 +2,7 @@
 // The command render, as its user meets it.
 #include "fault/program.hpp"
 #include "fault/run_file_bytes.hpp"
+#include "support/picture_files.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <fmt/format.h>

@@ -84,9 +84,28 @@ public:
             visit(GridPlace{start[0] + std::countr_zero(bits), start[1], start[2]});
         }
     }
+    /// Those of a run that begins and ends in the same word.
+    [[nodiscard]] static std::uint64_t bitsOf(CellRun run)
+    {
+        return ~std::uint64_t{0} >> (63 - (run.last - run.first)) << (run.first % 64);
+    }
+    /// Takes cubes first..last of row (y, z) out of a set.
+    void takeOut(CubeSet& set, int y, int z, CellRun run) const
+    {
+        if (run.first / 64 == run.last / 64) // as nearly always
+        {
+            set[word(run.first / 64, y, z)] &= ~bitsOf(run);
+            return;
+        }
+        forEachWordOf(run, [&](int x, std::uint64_t bits) { set[word(x, y, z)] &= ~bits; });
+    }
     /// Whether cubes first..last of row (y, z) are in a set.
     [[nodiscard]] bool any(const CubeSet& set, int y, int z, CellRun run) const
     {
+        if (run.first <= run.last && run.first / 64 == run.last / 64) // as nearly always
+        {
+            return (set[word(run.first / 64, y, z)] & bitsOf(run)) != 0;
+        }
         std::uint64_t found = 0;
         forEachWordOf(run, [&](int x, std::uint64_t bits) { found |= set[word(x, y, z)] & bits; });
         return found != 0;

@@ -140,8 +140,7 @@ void Discards::close(const Ball& ball)
                   kInsideBall,
                   [&](int y, int z, CellRun run)
                   {
-                      forEachWordOf(run, [&](int x, std::uint64_t bits)
-                                    { open_->inside[cubes.word(x, y, z)] &= ~bits; });
+                      cubes.takeOut(open_->inside, y, z, run);
                       return false;
                   });
 }
