@@ -56,8 +56,6 @@ void addQuality(py::module_& module)
     add("energy_excess", &R::energyExcess,
         "largest excess of the energy over its start plus the work done, over that of a fall; 0 "
         "without a run");
-    add("restored_discards", &R::restoredDiscards,
-        "times that all discards were taken back; 0 without a run");
     add("mesh_volume", &R::meshVolume, "[unit^3]");
     add("sphere_volume", &R::sphereVolume, "[unit^3] of all spheres");
     add("volume_estimate", &R::volumeEstimate,

@@ -43,7 +43,7 @@ enum class DiscardRule : std::uint8_t
 {
     none,
     paper, ///< by height and covered vertices: heuristics; preset paper only
-    exact, ///< by reachability: same bits as none; preset fast only
+    exact, ///< what no sphere can reach, found when asked for; preset fast only
 };
 enum class FreezingRule : std::uint8_t
 {

@@ -33,9 +33,9 @@ struct SetRecord
     StageTimes times;        ///< of the stages of the simulation, in total
     std::size_t running = 0; ///< at the end of the set, or now, after freezing and discarding
     std::size_t frozen = 0;
-    std::size_t discarded = 0;
-    std::size_t discardedPolygons = 0;
-    bool timedOut = false; ///< did not come to rest within the time limit
+    std::size_t discarded = 0; ///< by the rule exact only of the newest set, else counted as frozen
+    std::size_t discardedPolygons = 0; ///< likewise
+    bool timedOut = false;             ///< did not come to rest within the time limit
     OperationCounts operations;
 };
 
@@ -93,13 +93,12 @@ struct QualityReport
     /// Spheres at rest whose contacts cannot carry their weight if nothing gives way: without
     /// friction, or with the one under which all settled or are judged.
     std::size_t unsupported = 0;
-    double energyGain = 0;   ///< largest growth of the total energy in one step, relative to the
-                             ///< energy of a fall through the height of the object
-    double energyExcess = 0; ///< largest excess of the energy over its start plus the work done,
-                             ///< relative to the same
-    std::size_t restoredDiscards = 0; ///< times that a guard took back all discards
-    double meshVolume = 0;            ///< [unit^3]
-    double sphereVolume = 0;          ///< [unit^3] of all spheres
+    double energyGain = 0;     ///< largest growth of the total energy in one step, relative to the
+                               ///< energy of a fall through the height of the object
+    double energyExcess = 0;   ///< largest excess of the energy over its start plus the work done,
+                               ///< relative to the same
+    double meshVolume = 0;     ///< [unit^3]
+    double sphereVolume = 0;   ///< [unit^3] of all spheres
     double volumeEstimate = 0; ///< [unit^3] N v / phi + c r S; NaN unless full of equal spheres
     /// [unit^3] uncertainty: largest error over the calibration shapes, and scatter of packings
     double volumeEstimateError = 0;
@@ -190,7 +189,7 @@ public:
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
 
-    /// Advances by one time step, and releases, freezes and discards when due.
+    /// Advances by one time step, and releases and freezes when due.
     /// Returns false when the run is over; what nothing can touch any more is then discarded, and
     /// nothing moves.
     bool step();

@@ -22,13 +22,13 @@ enum class SphereState : std::uint8_t
 {
     running = 0,   ///< moves, is tested, responds
     frozen = 1,    ///< at rest; is tested against, never responds
-    discarded = 2, ///< at rest and no longer tested
+    discarded = 2, ///< at rest, and touched by no sphere any more; preset paper: no longer tested
 };
 
 enum class PolygonState : std::uint8_t
 {
     active = 0,
-    discarded = 1, ///< covered by spheres or out of reach; no longer tested
+    discarded = 1, ///< touched by no sphere any more; preset paper: no longer tested
 };
 
 /// A sphere as in the files: mesh coordinates, full precision.

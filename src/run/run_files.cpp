@@ -85,7 +85,6 @@ Json errorJson(const QualityReport& quality)
     Json json = qualityJson(quality);
     json["energy_gain"] = quality.energyGain;
     json["energy_above_start"] = quality.energyExcess;
-    json["restored_discards"] = quality.restoredDiscards;
     json["volume_estimate"] = quality.volumeEstimate;
     json["volume_estimate_error"] = quality.volumeEstimateError;
     return json;

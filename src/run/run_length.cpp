@@ -67,10 +67,6 @@ Scene withoutExtras(const Scene& scene)
     {
         bare.rest = {}; // takes longer than the filling, for few seconds that are shown of it
     }
-    if (scene.preset == Preset::fast && scene.discard.rule == DiscardRule::exact)
-    {
-        bare.discard.rule = DiscardRule::none;
-    }
     // They find the same pairs in the same order.
     if (scene.search.spheres == SphereSearch::allPairs)
     {

@@ -11,18 +11,18 @@ def measure(folder, quick):
     rows = []
     for mesh in runs.OBJECTS:
         for rule, options in {"paper": {"preset": "paper", **runs.GRIDS}, "exact": {}}.items():
-            try:
-                run = runs.frostfill.fill(mesh, count=60 if quick else 2000, spheres_group_size=10,
-                                          spheres_groups_per_set=2, **options)
-            except runs.frostfill.Postcondition as outside:  # the paper's method loses some
-                run = outside.run
-            sets = tables.read(run.directory / "sets.csv")
-            present = 0
-            for row in sets.rows:
-                present += int(row["spheres"])
-                rows.append((mesh, rule, f"{100 * present / len(run.centres):.3f}", present,
-                             f"{100 * int(row['discarded']) / present:.3f}",
-                             f"{100 * int(row['discarded_polygons']) / len(run.triangles):.3f}"))
+            run = runs.frostfill.Simulation(mesh, count=60 if quick else 2000, spheres_group_size=10,
+                                            spheres_groups_per_set=2, **options)
+            ends = []
+            while run.step():
+                state = run.snapshot()
+                if state.set == len(ends):  # a set has ended
+                    ends.append(state)
+                ends[-1] = state
+            ends[-1] = run.snapshot()
+            rows += [(mesh, rule, f"{100 * len(state) / len(ends[-1]):.3f}", len(state),
+                      f"{100 * state.discarded / len(state):.3f}",
+                      f"{100 * state.discarded_triangles / len(run.triangles):.3f}") for state in ends]
     tables.write(folder / "discarded.csv",
                  ("object", "rule", "present_percent", "spheres", "discarded_spheres_percent",
                   "discarded_polygons_percent"), rows)

@@ -274,7 +274,7 @@ void addSearches(TableBuilder& table)
 {
     table.heading("Discarding and searches");
     table.add("discard.rule", "",
-              "Rule for what is no longer tested; exact changes no bit, paper is heuristic",
+              "Rule for what no sphere touches any more; exact changes no bit, paper is heuristic",
               FROSTFILL_FIELD(discard.rule));
     table
         .add("discard.epsilon", "", "Discard a group this far below the last frozen group [r]",

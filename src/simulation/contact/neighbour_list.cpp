@@ -41,8 +41,7 @@ bool NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
                         {
                             const Ball& other = resting[row];
                             const double contact = radius + other.radius;
-                            if (isWithin(other.position(), p, contact + skin_) &&
-                                !resting.isDiscarded(row))
+                            if (isWithin(other.position(), p, contact + skin_))
                             {
                                 spheres_.push_back({other.x, other.y, other.z, contact});
                             }
@@ -57,8 +56,7 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
     nodes_.clear();
     const auto take = [&](std::uint32_t triangle)
     {
-        if (world.polygons[triangle] == PolygonState::active &&
-            world.surface.bound(triangle).mayBeWithin(distance, p))
+        if (world.surface.bound(triangle).mayBeWithin(distance, p))
         {
             triangles_.push_back(triangle);
         }
@@ -97,13 +95,7 @@ void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vec
         return;
     }
     triangles_.clear();
-    const auto take = [this](std::uint32_t triangle)
-    {
-        if (world_->polygons[triangle] == PolygonState::active)
-        {
-            triangles_.push_back(triangle);
-        }
-    };
+    const auto take = [this](std::uint32_t triangle) { triangles_.push_back(triangle); };
     const TriangleBvh& tree = world_->surface.tree();
     const Eigen::Vector3d middle = (from + to) / 2;
     const double ball = distance + (to - from).norm() / 2;

@@ -72,12 +72,6 @@ bool DropAndRollEngine::step()
         endForWantOfPlaces(world_, *observers_.release);
     }
     world_.clock.finished = noPlace || wantedOfSet(world_, 1) == 0;
-    if (DiscardPart* discard = observers_.discard.get())
-    {
-        const StageTimer timer(world_.counts.times, Stage::discarding);
-        discard->afterFreezing();
-        world_.clock.finished ? discard->finish(world_.clock.full) : (void)discard->afterStep();
-    }
     world_.clock.time += kTimeOfSet * static_cast<double>(placed) / static_cast<double>(setSize_);
     if (world_.clock.finished || inSet_ == setSize_ || world_.stop.isAsked())
     {
@@ -101,7 +95,8 @@ bool DropAndRollEngine::placeOne()
 void DropAndRollEngine::rest(const Eigen::Vector3d& place, double radius)
 {
     const auto group = static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
-    observers_.add(world_.spheres.addResting(place, radius, group), place, radius);
+    world_.spheres.addResting(place, radius, group);
+    observers_.add(place, radius);
 }
 
 void DropAndRollEngine::releaseAt(std::span<const PlacedSphere> spheres)

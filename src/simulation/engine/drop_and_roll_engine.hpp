@@ -33,7 +33,7 @@ private:
     ReleaseQuery query_;
     SetRecorder clock_;
     std::size_t setSize_ = 1;
-    std::size_t stepSize_ = 1; ///< spheres of a step: a set is shown and discarded bit by bit
+    std::size_t stepSize_ = 1; ///< spheres of a step: a set is shown bit by bit
     std::size_t inSet_ = 0;    ///< spheres of the newest set
 };
 

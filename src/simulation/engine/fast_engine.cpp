@@ -99,7 +99,6 @@ bool FastEngine::step()
     advance();
     solve();
     freezeAndWake();
-    discard();
     return true;
 }
 
@@ -163,17 +162,9 @@ bool FastEngine::anythingMoves()
     }
     if (waker_.begin())
     {
-        beginMotion();
+        sets_.openRecord(0);
     }
     return waker_.wakeAgain();
-}
-
-// What was out of reach need not stay so.
-void FastEngine::beginMotion()
-{
-    observers_.discard.reset();
-    world_.restoreDiscarded();
-    sets_.openRecord(0);
 }
 
 // Every runner flies by itself among what is at rest.
@@ -264,31 +255,10 @@ void FastEngine::freezeAndWake()
     }
 }
 
-void FastEngine::discard()
-{
-    if (observers_.discard)
-    {
-        const StageTimer timer(world_.counts.times, Stage::discarding);
-        if (observers_.discard->afterStep())
-        {
-            flight_.forgetNeighbours();
-        }
-    }
-}
-
 void FastEngine::finish()
 {
     endForWantOfPlaces(world_, *observers_.release);
     world_.clock.finished = true;
-    if (waker_.phase() == Waker::Phase::over)
-    {
-        observers_.discard = makeDiscardAtRest(world_, threads_);
-    }
-    if (observers_.discard)
-    {
-        const StageTimer timer(world_.counts.times, Stage::discarding);
-        observers_.discard->finish(world_.clock.full);
-    }
     sets_.closeRecord();
 }
 

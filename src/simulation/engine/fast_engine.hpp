@@ -34,11 +34,9 @@ private:
     void advance();
     void solve();
     void freezeAndWake();
-    void discard();
     void finish();
 
     [[nodiscard]] std::size_t release(std::size_t wanted);
-    void beginMotion();
     [[nodiscard]] bool looksAhead();
     void observe(std::uint32_t row);
     void countTests();
@@ -48,7 +46,7 @@ private:
     RunningSpheres& running_;
     Threads threads_;
     RunnerGrid grid_;
-    RestObservers observers_; ///< where falls end, where spheres can appear, what is discarded
+    RestObservers observers_; ///< where falls end, and where spheres can appear
     FreeFlight flight_;
     DropAndRoll dropAndRoll_;
     SetSchedule sets_;

@@ -3,7 +3,6 @@
 
 #include "base/stage_timer.hpp"
 #include "simulation/contact/depenetration.hpp"
-#include "simulation/discard/discard_rule.hpp"
 #include "simulation/engine/tolerances.hpp"
 
 #include <cmath>
@@ -164,11 +163,6 @@ void GranularEngine::finish()
 {
     endForWantOfPlaces(world_, *release_);
     world_.clock.finished = true;
-    if (const auto discard = makeDiscardAtRest(world_, threads_))
-    {
-        const StageTimer timer(world_.counts.times, Stage::discarding);
-        discard->finish(world_.clock.full);
-    }
 }
 
 } // namespace frostfill

@@ -18,7 +18,7 @@ namespace frostfill
 
 /// Fills the object as grains do that are poured in. From when they appear until they rest together
 /// all move at once, with spin and friction: they roll, slopes slide, and below an inlet a heap
-/// grows. Nothing freezes, and so nothing is discarded, before the whole rests.
+/// grows. Nothing freezes before the whole rests.
 ///
 /// Where a loose packing is asked for, they sink as in a thick liquid: a sphere that arrives slowly
 /// stays where it is first held, and knocks no other into a hole.

@@ -38,7 +38,7 @@ bool JointRestEngine::fill()
     const bool advanced = filling_->step();
     if (!world_.clock.finished || world_.spheres.size() == settled_)
     {
-        return advanced; // at the end, with what is discarded then
+        return advanced;
     }
     world_.clock.finished = false;
     world_.clock.full = false;

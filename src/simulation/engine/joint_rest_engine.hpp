@@ -15,10 +15,6 @@ namespace frostfill
 
 /// Lets another engine fill the object, each sphere coming to rest by itself, and then all settle
 /// together. What sinks leaves room: both take turns until no sphere more finds a place.
-///
-/// Discards are exact while the object is being filled, as what the filling can still touch is all
-/// that it asks for. Settling moves everything, so it takes all of them back; those of the end are
-/// made when all has settled for the last time.
 class JointRestEngine : public Engine
 {
 public:

@@ -4,6 +4,7 @@
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
 #include "simulation/quality/size_report.hpp"
+#include "simulation/reach/discards.hpp"
 #include "simulation/reach/reach_inspection.hpp"
 #include "simulation/world/fitting_radius.hpp"
 #include "simulation/world/state_hash.hpp"
@@ -50,6 +51,7 @@ struct Simulation::Implementation
     World world;
     std::unique_ptr<Engine> engine;
     Guard guard;
+    Discards discards{world};
     ColumnCapture columns{world};
     std::uint64_t source = nextSource();
 };
@@ -115,6 +117,10 @@ bool Simulation::step()
     if (implementation_->world.scene.preset == Preset::fast)
     {
         implementation_->guard.check();
+    }
+    if (implementation_->world.clock.finished)
+    {
+        implementation_->discards.update();
     }
     return advanced;
 }
@@ -193,6 +199,7 @@ const MeshReport& Simulation::object() const
 
 SphereRecord Simulation::sphere(std::size_t id) const
 {
+    implementation_->discards.update();
     return recordOf(implementation_->world, id);
 }
 
@@ -203,6 +210,7 @@ std::vector<ColumnValues> Simulation::columns() const
 
 std::vector<PolygonState> Simulation::polygonStates() const
 {
+    implementation_->discards.update();
     return implementation_->world.polygons;
 }
 const OperationCounts& Simulation::operations() const
@@ -216,7 +224,9 @@ const StageTimes& Simulation::times() const
 const std::vector<SetRecord>& Simulation::sets() const
 {
     World& world = implementation_->world;
-    if (!world.clock.finished && !world.counts.sets.empty()) // the newest set goes on
+    implementation_->discards.update();
+    const bool goesOn = !world.clock.finished || world.scene.discard.rule == DiscardRule::exact;
+    if (goesOn && !world.counts.sets.empty())
     {
         SetRecord& newest = world.counts.sets.back();
         newest.running = world.spheres.runningCount();
@@ -241,7 +251,13 @@ std::optional<SizeReport> Simulation::sizes() const
 
 ReachInspection Simulation::inspectReach(std::size_t bytes) const
 {
-    return frostfill::inspectReach(implementation_->world, bytes);
+    std::optional<OpenCubes> open;
+    ReachInspection found = frostfill::inspectReach(implementation_->world, bytes, open);
+    if (open)
+    {
+        implementation_->discards.use(*std::move(open));
+    }
+    return found;
 }
 std::string Simulation::stateHash() const
 {
@@ -263,6 +279,7 @@ std::vector<Pose> Simulation::poses() const
 void Simulation::capture(Snapshot& snapshot) const
 {
     const World& world = implementation_->world;
+    implementation_->discards.update();
     const std::size_t count = world.spheres.size();
     if (snapshot.source != implementation_->source)
     {

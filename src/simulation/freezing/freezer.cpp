@@ -90,10 +90,6 @@ void Freezer::freeze(SetSchedule& sets)
     freezeOneByOne();
     world_.spheres.closeRanks();
     wakeUncarried();
-    if (observers_.discard)
-    {
-        observers_.discard->afterFreezing();
-    }
 }
 
 // Whether it was calm in the window that ends, and begins the next one.
@@ -288,7 +284,7 @@ void Freezer::tryFreeze(std::uint32_t row, bool insist)
     world_.counts.overdue += tooOld ? 1 : 0;
     frozen_.push_back({atRest, watch_[row].age, tooOld, insist});
     // Its id may have changed: one that was withdrawn has left its own to the last sphere.
-    observers_.add(world_.spheres.resting().id(atRest), resting.place, resting.radius);
+    observers_.add(resting.place, resting.radius);
     tell(resting.place, resting.radius);
 }
 
@@ -319,7 +315,6 @@ void Freezer::wakeUncarried()
         {
             world_.spheres.wake(id);
             watch_[world_.spheres.row(id)].age = ages.at(id);
-            observers_.takeBack(id);
         });
     if (running_.size() > before)
     {

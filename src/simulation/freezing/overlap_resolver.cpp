@@ -163,15 +163,10 @@ void OverlapResolver::put(std::uint32_t row, const Eigen::Vector3d& place)
 
 void OverlapResolver::withdraw(std::uint32_t row)
 {
-    const std::uint32_t id = running_.id[row];
-    const std::uint32_t renumbered = world_.spheres.withdraw(id);
+    world_.spheres.withdraw(running_.id[row]);
     for (Room& room : ahead_)
     {
         room.foundAt = 0; // what is at rest may be met in another order now
-    }
-    if (observers_.discard)
-    {
-        observers_.discard->renumber(renumbered, id);
     }
 }
 

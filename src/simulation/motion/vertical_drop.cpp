@@ -110,8 +110,7 @@ double fallInCell(const World& world, const std::array<int, 3>& cell, const Eige
     {
         for (const std::uint32_t id : triangles)
         {
-            if (world.polygons[id] == PolygonState::active &&
-                mayTouch(world.surface.bound(id), here, radius, down, path))
+            if (mayTouch(world.surface.bound(id), here, radius, down, path))
             {
                 path = castAtTriangle(world.surface, id, here, radius, down, path);
             }

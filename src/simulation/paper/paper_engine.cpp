@@ -3,6 +3,7 @@
 
 #include "base/stage_timer.hpp"
 #include "simulation/contact/depenetration.hpp"
+#include "simulation/paper/paper_discards.hpp"
 #include "simulation/paper/tolerances.hpp"
 
 #include <algorithm>
@@ -63,8 +64,7 @@ PaperEngine::PaperEngine(World& world)
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
                   spheres_.get()),
-      release_(makeRelease(world, kPaperTopBand, threads_)), discard_(makeDiscard(world, threads_)),
-      rest_(restMonitor(world)),
+      release_(makeRelease(world, kPaperTopBand, threads_)), rest_(restMonitor(world)),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
     world.clock.dt = chooseTimeStep(world);
@@ -200,24 +200,17 @@ void PaperEngine::freezeAndDiscard()
             const std::uint32_t id = running_.id[row];
             world_.spheres.freeze(id);
             release_->close(running_.position[row], running_.radius[row]);
-            if (discard_)
-            {
-                discard_->addResting(id);
-            }
         }
         world_.spheres.closeRanks();
         setsAtRest_ = 0;
     }
-    if (discard_)
+    const DiscardSettings& discard = world_.scene.discard;
+    if (discard.rule == DiscardRule::paper)
     {
         const StageTimer timer(world_.counts.times, Stage::discarding);
-        discard_->afterFreezing();
-        const auto isDiscarded = [this](std::size_t id)
-        { return world_.spheres.state(id) == SphereState::discarded; };
-        while (firstFrozen_ < world_.spheres.resting().size() && isDiscarded(firstFrozen_))
-        {
-            ++firstFrozen_;
-        }
+        firstFrozen_ =
+            discardByHeight(world_, firstFrozen_, world_.spheres.resting().size(), discard.epsilon);
+        discardCoveredPolygons(world_, discard.closeness);
         polygons_->update();
     }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/discard/discard_rule.hpp"
 #include "simulation/paper/algorithm1.hpp"
 #include "simulation/paper/rest_monitor.hpp"
 #include "simulation/release/release_rule.hpp"
@@ -39,7 +38,6 @@ private:
     Algorithm1 algorithm1_;
     Threads threads_{1};
     std::unique_ptr<ReleasePart> release_;
-    std::unique_ptr<DiscardPart> discard_; ///< empty when nothing is to be discarded
     RestMonitor rest_;
     SetRecorder clock_;
 

@@ -88,7 +88,6 @@ public:
         report_.meanOverlap = pairs_ > 0 ? overlapSum_ / static_cast<double>(pairs_) : 0;
         report_.energyGain = world_.counts.energy.largestGain();
         report_.energyExcess = world_.counts.energy.excess();
-        report_.restoredDiscards = world_.counts.restoredDiscards;
         estimateVolume();
         return report_;
     }

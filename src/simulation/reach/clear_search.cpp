@@ -1,220 +1,137 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/clear_search.hpp"
 
-#include "simulation/reach/cube_parts.hpp"
-#include "simulation/reach/tolerances.hpp"
-
-#include <algorithm>
-#include <limits>
-#include <utility>
+#include <array>
+#include <cmath>
 
 namespace frostfill
 {
-
-bool ClearSearch::mayBeClear(const Eigen::Vector3d& middle, double edge) const
+namespace
 {
-    thread_local Nearby nearby; // keeps its memory
-    if (halvings_ > CubeParts::kTimes)
-    {
-        const double reach = kHalfDiagonal * edge;
-        gatherBalls(middle, reach, nearby);
-        gatherWalls(middle, probe_ + reach, nearby);
-        return anyClear(middle, edge, halvings_, nearby.all(), nearby);
-    }
-    gatherBalls(middle, CubeParts::kReach * edge, nearby);
-    nearby.away.setZero();
-    CubeParts parts(middle, edge);
-    takeInBalls(middle, edge, nearby.all(), nearby, parts);
-    if (!parts.any())
-    {
-        return false;
-    }
-    const double ofPart = edge / CubeParts::kSide;
-    gatherWalls(middle, exclusionOfPart(ofPart) + CubeParts::kFarthestMiddle * edge, nearby);
-    nearby.away += nearby.awayFromWalls;
-    return anyUnwalled(parts, ofPart, nearby.all(), nearby);
-}
 
-void ClearSearch::gatherBalls(const Eigen::Vector3d& middle, double reach, Nearby& nearby) const
+constexpr std::size_t kSide = ClearSearch::kSide;
+
+/// The parts of a cube, a bit each with x fastest, by their middles along each axis.
+struct Parts
 {
-    nearby.balls.clear();
-    resting_.forEachNear(middle, 1 + probe_ + reach,
+    std::array<std::array<double, kSide>, 3> along;
+    double edge;
+
+    Parts(const Eigen::Vector3d& middle, double edgeOfCube) : along(), edge(edgeOfCube / kSide)
+    {
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            for (std::size_t k = 0; k < kSide; ++k)
+            {
+                along[axis][k] = middle[static_cast<int>(axis)] +
+                                 edge * (static_cast<double>(k) - (kSide - 1) / 2.0);
+            }
+        }
+    }
+    [[nodiscard]] Eigen::Vector3d middle(int part) const
+    {
+        const auto its = static_cast<std::size_t>(part);
+        return {along[0][its % kSide], along[1][its / kSide % kSide],
+                along[2][its / kSide / kSide]};
+    }
+    /// Those that lie in a ball as a whole: whose farthest corner does.
+    [[nodiscard]] std::uint64_t inBall(const Eigen::Vector3d& centre, double radius) const
+    {
+        std::array<std::array<double, kSide>, 3> squares; // of the distances of far sides
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            for (std::size_t k = 0; k < kSide; ++k)
+            {
+                const double apart = std::abs(centre[static_cast<int>(axis)] - along[axis][k]);
+                squares[axis][k] = (apart + edge / 2) * (apart + edge / 2);
+            }
+        }
+        std::uint64_t inside = 0;
+        for (std::size_t row = 0; row < kSide * kSide; ++row)
+        {
+            const double left = radius * radius - squares[1][row % kSide] - squares[2][row / kSide];
+            for (std::size_t x = 0; x < kSide; ++x)
+            {
+                inside |= std::uint64_t{squares[0][x] < left ? 1U : 0U} << (kSide * row + x);
+            }
+        }
+        return inside;
+    }
+};
+
+} // namespace
+
+ClearSearch::Place
+ClearSearch::find(const Eigen::Vector3d& middle, double edge, std::uint32_t rows,
+                  const std::function<bool(const Eigen::Vector3d&)>& isWanted) const
+{
+    const Parts parts(middle, edge);
+    std::uint64_t left = ~std::uint64_t{0};
+    const double overlap = OpenCubes::overlapOf(probe_);
+    resting_.forEachNear(middle, 1 + probe_ + kHalfDiagonal * edge,
                          [&](std::uint32_t row)
                          {
-                             const Ball& s = resting_[row];
-                             const double radius = s.radius + probe_ - overlap_ - kReachRounding;
-                             const Eigen::Vector3d centre = s.position();
-                             if (row != ignored_ && (centre - middle).squaredNorm() <
-                                                        (radius + reach) * (radius + reach))
+                             const Ball& ball = resting_[row];
+                             if (row < rows && left != 0)
                              {
-                                 nearby.balls.push_back({centre, radius * radius, radius});
+                                 left &=
+                                     ~parts.inBall(ball.position(), ball.radius + probe_ - overlap);
                              }
                          });
-}
-
-void ClearSearch::gatherWalls(const Eigen::Vector3d& middle, double distance, Nearby& nearby) const
-{
-    nearby.walls.clear();
-    nearby.places.fill(Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()));
-    nearby.next = 0;
-    nearby.awayFromWalls.setZero();
-    const std::span<const std::uint32_t> triangles = triangles_.near(middle);
-    nearby.many = triangles.size() > TriangleGrid::kShortList;
-    for (const std::uint32_t id : nearby.many ? std::span<const std::uint32_t>{} : triangles)
+    if (left == 0)
     {
-        const TriangleBound& bound = surface_.bound(id);
-        // Most are out by the ball around them.
-        if (bound.ballIsWithin(distance, bound.toCentreSquared(middle)) &&
-            bound.mayBeWithin(distance, middle))
-        {
-            nearby.walls.push_back(id);
-            nearby.awayFromWalls += bound.normal;
-        }
+        return Place::none;
     }
-}
-
-// Cubes that lie in one exclusion as a whole have no part that does not: so it is enough to look at
-// parts of parts, down to the smallest.
-bool ClearSearch::anyClear(const Eigen::Vector3d& middle, double edge, int halvings,
-                           const Obstacles& from, Nearby& nearby) const
-{
-    CubeParts parts(middle, edge);
-    const double ofPart = edge / CubeParts::kSide;
-    const double exclusion = exclusionOfPart(ofPart);
-    nearby.away = nearby.awayFromWalls;
-    takeInBalls(middle, edge, from, nearby, parts);
-    for (std::size_t k = 0; k < std::min(nearby.next, nearby.places.size()) && parts.any(); ++k)
-    {
-        parts.takeMiddleInBall(nearby.places[k], exclusion * exclusion);
-    }
-    if (halvings <= CubeParts::kTimes)
-    {
-        return anyUnwalled(parts, ofPart, from, nearby);
-    }
-    const Obstacles here = select(middle, kHalfDiagonal * edge, from, nearby);
-    const auto mayBeClear = [&](const Eigen::Vector3d& p)
-    {
-        return !isWalled(p, exclusion, here, nearby) &&
-               anyClear(p, ofPart, halvings - CubeParts::kTimes, here, nearby);
-    };
-    const bool found = parts.anyClear(nearby.away, mayBeClear);
-    nearby.balls.resize(here.firstBall);
-    nearby.walls.resize(here.firstWall);
-    return found;
-}
-
-// An eighth that lies in the exclusion of a wall has no part that does not. Most cubes that have a
-// clear part at all show it first.
-bool ClearSearch::anyUnwalled(CubeParts& parts, double edge, const Obstacles& from,
-                              Nearby& nearby) const
-{
-    const double exclusion = exclusionOfPart(edge);
-    bool isFirst = true;
+    // How near a wall is to the middle of a part that it excludes as a whole.
+    const double exclusion = std::max(0.0, probe_ - overlap - reachOfPart(edge));
+    // Parts beside one another are mostly excluded by the same place of a wall.
+    std::optional<Eigen::Vector3d> wall = wallNear(middle, exclusion + kHalfDiagonal * edge);
+    const bool isWalled = wall.has_value();
+    const Eigen::Vector3d away = isWalled ? middle - *wall : Eigen::Vector3d(1, 1, 1);
     const auto isClear = [&](const Eigen::Vector3d& p)
     {
-        if (!isWalled(p, exclusion, from, nearby))
+        if (isWalled && (p - *wall).squaredNorm() >= exclusion * exclusion)
         {
-            return true;
+            const std::optional<Eigen::Vector3d> other = wallNear(p, exclusion);
+            wall = other ? other : wall;
+            return !other;
         }
-        if (std::exchange(isFirst, false))
-        {
-            parts.takeEighths(
-                [&](const Eigen::Vector3d& middle)
-                { return isWalled(middle, exclusionOfPart(2 * edge), from, nearby); });
-        }
-        return false;
+        return !isWalled;
     };
-    return parts.anyClear(nearby.away, isClear);
-}
-
-void ClearSearch::takeInBalls(const Eigen::Vector3d& middle, double edge, const Obstacles& from,
-                              Nearby& nearby, CubeParts& parts)
-{
-    const double reach = CubeParts::kReach * edge;
-    for (std::size_t k = from.firstBall; k < from.endOfBalls && parts.any(); ++k)
+    Place found = Place::none;
+    const int first = (away.x() < 0 ? 0 : 3) | (away.y() < 0 ? 0 : 12) | (away.z() < 0 ? 0 : 48);
+    for (int k = 0; k < 64; ++k)
     {
-        const Exclusion& ball = nearby.balls[k];
-        const Eigen::Vector3d way = middle - ball.centre;
-        if (way.squaredNorm() < (ball.radius + reach) * (ball.radius + reach))
-        {
-            parts.takeInBall(ball.centre, ball.square);
-            nearby.away += way;
-        }
-    }
-}
-
-// Those that come within `reach` of the middle of a part go to the end of the lists.
-ClearSearch::Obstacles ClearSearch::select(const Eigen::Vector3d& middle, double reach,
-                                           const Obstacles& from, Nearby& nearby) const
-{
-    Obstacles here{nearby.balls.size(), 0, nearby.walls.size(), 0};
-    for (std::size_t k = from.firstBall; k < from.endOfBalls; ++k)
-    {
-        const Exclusion ball = nearby.balls[k];
-        if ((middle - ball.centre).squaredNorm() < (ball.radius + reach) * (ball.radius + reach))
-        {
-            nearby.balls.push_back(ball);
-        }
-    }
-    for (std::size_t k = from.firstWall; k < from.endOfWalls; ++k)
-    {
-        const std::uint32_t id = nearby.walls[k];
-        if (surface_.bound(id).mayBeWithin(probe_ + reach, middle))
-        {
-            nearby.walls.push_back(id);
-        }
-    }
-    here.endOfBalls = nearby.balls.size();
-    here.endOfWalls = nearby.walls.size();
-    return here;
-}
-
-// Parts beside one another are mostly excluded by the same place of a wall.
-bool ClearSearch::isWalled(const Eigen::Vector3d& part, double distance, const Obstacles& among,
-                           Nearby& nearby) const
-{
-    if (among.firstWall == among.endOfWalls && !nearby.many)
-    {
-        return false;
-    }
-    const double square = distance * distance;
-    const auto isNear = [&](const Eigen::Vector3d& p) { return (part - p).squaredNorm() < square; };
-    if (std::any_of(nearby.places.begin(), nearby.places.end(), isNear))
-    {
-        return true;
-    }
-    const auto remember = [&](const Eigen::Vector3d& p)
-    { nearby.places[nearby.next++ % nearby.places.size()] = p; };
-    if (nearby.many)
-    {
-        const WallPoint nearest = nearestWall(surface_, part, distance, distance);
-        if (nearest.square < square)
-        {
-            remember(nearest.point);
-        }
-        return nearest.square < square;
-    }
-    const std::span<std::uint32_t> walls = nearby.wallsOf(among);
-    for (std::uint32_t& id : walls)
-    {
-        if (!surface_.bound(id).mayBeWithin(distance, part))
+        const int part = first ^ k; // those away from the wall come first
+        const Eigen::Vector3d p = parts.middle(part);
+        if ((left >> part & 1) == 0)
         {
             continue;
         }
-        const auto& [a, b, c] = surface_[id].corner;
-        Eigen::Vector3d place = surface_.bound(id).centre; // one of its points
-        if (!isNear(place))
+        const bool wanted = isWanted(p);
+        if ((wanted || found == Place::none) && isClear(p))
         {
-            place = closestPointOnTriangle(part, a, b, c).point;
-        }
-        if (isNear(place))
-        {
-            remember(place);
-            std::swap(id, walls.front()); // asked first from now on
-            return true;
+            if (wanted)
+            {
+                return Place::wanted;
+            }
+            found = Place::elsewhere;
         }
     }
-    return false;
+    return found;
+}
+
+// The nearest point of a wall, if it is nearer than that.
+std::optional<Eigen::Vector3d> ClearSearch::wallNear(const Eigen::Vector3d& p,
+                                                     double distance) const
+{
+    const std::span<const std::uint32_t> walls = triangles_.near(p);
+    if (walls.empty())
+    {
+        return std::nullopt;
+    }
+    const SignedDistance nearest = triangles_.nearest(p, walls, distance);
+    return std::abs(nearest.value) < distance ? std::optional(nearest.closest) : std::nullopt;
 }
 
 } // namespace frostfill

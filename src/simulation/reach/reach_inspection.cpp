@@ -3,9 +3,6 @@
 
 #include "mesh/interior/inside_test.hpp"
 #include "simulation/reach/clear_search.hpp"
-#include "simulation/reach/reach_map.hpp"
-#include "simulation/reach/reach_report.hpp"
-#include "simulation/reach/tolerances.hpp"
 #include "simulation/world/memory_need.hpp"
 #include "simulation/world/tolerances.hpp"
 
@@ -24,6 +21,8 @@ constexpr double kOneSphere = 4.0 / 3.0 * std::numbers::pi; // [r^3]
 /// cube is made larger, and the lists of triangles. [bytes]
 constexpr double kBytesPerCell = 5;
 constexpr double kBytesPerWallCell = 20;
+/// Sets of cubes in memory at once.
+constexpr std::size_t kSetsOfCubes = 4;
 
 double memoryOf(const ObjectSize& object)
 {
@@ -41,71 +40,62 @@ TriangleMesh inRadii(TriangleMesh mesh, const Eigen::Vector3d& origin, double ra
     return mesh;
 }
 
-// A cube is blocked when one triangle excludes all of it; here those go, too, that several exclude
+// A cube is closed when one triangle excludes all of it; here those go, too, that several exclude
 // together. A cube whose middle is a place for a sphere is none of them.
-void closeCoveredCubes(ReachMap& map, const ClearSearch& search, Threads& threads)
+void closeCoveredCubes(OpenCubes& open, const Surface& surface, const ClearSearch& search,
+                       Threads& threads)
 {
-    const VoxelLayout& layout = map.layout();
-    const VoxelBits clear = map.cubesFartherThan(map.radii().smallest, map.reached());
-    VoxelBits covered(layout.words, 0);
-    threads.forEach(layout.words,
-                    [&](std::size_t word)
-                    {
-                        const auto look = [&](int x, int y, int z)
-                        {
-                            if (!search.mayBeClear(layout.frame.centre(x, y, z), layout.frame.cell))
-                            {
-                                covered[word] |= layout.at(x, y, z).bits;
-                            }
-                        };
-                        const std::uint64_t open = map.reached()[word];
-                        if ((open & ~clear[word]) != 0)
-                        {
-                            layout.forEachCube({word, open & ~clear[word]}, look);
-                        }
-                    });
-    for (std::size_t word = 0; word < covered.size(); ++word)
+    const Cubes& cubes = open.cubes;
+    const CubeSet clear = cubesFartherThan(surface, cubes, open.probe, open.inside);
+    const auto look = [&](std::size_t word)
     {
-        map.closeCubes({word, covered[word]});
-    }
-    (void)map.flood({});
+        std::uint64_t& its = open.inside[word];
+        for (std::uint64_t left = its & ~clear[word]; left != 0; left &= left - 1)
+        {
+            const CubeWord cube{word, left & -left};
+            cubes.forEachCube(cube,
+                              [&](const GridPlace& place)
+                              {
+                                  const bool holds =
+                                      search.mayHold(cubes.middle(place), cubes.frame().cell, 0);
+                                  its &= holds ? ~std::uint64_t{0} : ~cube.bits;
+                              });
+        }
+    };
+    threads.forEach(cubes.words(), look);
 }
 
 /// The edges of an object are too narrow for a sphere all along, and make one thin part.
-bool isThin(const UnreachablePart& part)
+bool isThin(const UnreachableVolume& part)
 {
     return part.volume < kShareOfBox * part.box.volume();
 }
 
 ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
                         const InsideTest& inside, double radius, std::size_t bytes,
-                        Threads& threads)
+                        Threads& threads, std::optional<OpenCubes>& open)
 {
     ReachInspection result;
-    ReachMap::Unblocked unblocked;
-    ReachMap map(surface, inside, {radius, radius}, {kReachRounding, 0, 0},
-                 {kInspectionVoxel, bytes}, &unblocked);
-    result.known = map.active() || map.leak();
-    result.leak = map.leak();
-    if (!map.active())
+    CubeSet unblocked;
+    EmptyObject empty = openCubesOf(surface, inside, radius, bytes / kSetsOfCubes, &unblocked);
+    open = std::move(empty.open);
+    result.leak = empty.leak;
+    result.known = open || result.leak;
+    if (!open)
     {
         return result;
     }
+    const CubeSet unblockedInside = open->inside;
     const SphereGrid nothing(GridFrame{});
-    const ClearSearch search(nothing, surface, triangles, radius, kReachRounding);
-    closeCoveredCubes(map, search, threads);
-    const ReachReport report =
-        reportReach(map, unblocked, inside, kOneSphere * radius * radius * radius, threads);
-    result.fits = map.reachedCount() > 0;
-    result.unreachable = report.unreachedVolume;
-    result.resolution = report.resolution;
-    for (const UnreachablePart& part : report.parts)
-    {
-        if (!isThin(part))
-        {
-            result.parts.push_back({part.volume, part.centre, part.box});
-        }
-    }
+    closeCoveredCubes(*open, surface, ClearSearch(nothing, triangles, radius), threads);
+    UnfilledSpace unfilled = unfilledSpace(*open, unblocked, unblockedInside, inside,
+                                           kOneSphere * radius * radius * radius, threads);
+    result.fits = std::any_of(open->inside.begin(), open->inside.end(),
+                              [](std::uint64_t word) { return word != 0; });
+    result.unreachable = unfilled.volume;
+    result.resolution = open->cubes.frame().cell;
+    std::erase_if(unfilled.parts, isThin);
+    result.parts = std::move(unfilled.parts);
     return result;
 }
 
@@ -144,14 +134,16 @@ ReachInspection inspectReach(const TriangleMesh& mesh, double radius, std::size_
         surface, GridFrame::cover(surface.box(), kTriangleCell, kGridMargin), kTriangleReach);
     const InsideTest inside(surface, triangles);
     Threads threads(0);
-    return inMeshUnits(inspect(surface, triangles, inside, 1, bytes, threads), origin, radius);
+    std::optional<OpenCubes> open;
+    return inMeshUnits(inspect(surface, triangles, inside, 1, bytes, threads, open), origin,
+                       radius);
 }
 
-ReachInspection inspectReach(const World& world, std::size_t bytes)
+ReachInspection inspectReach(const World& world, std::size_t bytes, std::optional<OpenCubes>& open)
 {
     Threads threads(world.scene.threads);
     return inMeshUnits(inspect(world.surface, world.triangles, world.inside, world.radii.smallest(),
-                               bytes, threads),
+                               bytes, threads, open),
                        world.frame.toMesh(Eigen::Vector3d::Zero()), world.frame.length);
 }
 

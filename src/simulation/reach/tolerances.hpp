@@ -6,36 +6,43 @@
 namespace frostfill
 {
 
-// The tolerances of reach. Every one of them errs on the side of "can be reached", so a wrong one
-// costs time or keeps what could be dropped, but never changes a result. The margins of the map are
-// settings of its own: ReachMap::Margins. [r] is the run's unit of length.
+// The tolerances of reach. Every one of them errs on the side of "can be reached". [r] is the run's
+// unit of length.
 
-/// Above the rounding of any coordinate. [r] Larger: fewer cubes are blocked. Smaller: rounding may
-/// block a cube in which a sphere can be.
+/// Above the rounding of any coordinate. [r] Larger: fewer cubes are closed. Smaller: rounding may
+/// close a cube in which a sphere can be.
 inline constexpr double kReachRounding = 1e-9;
+/// tau, by which a running sphere may overlap what is at rest. [smallest radius] A hundred times
+/// what the engine leaves. Larger: fewer cubes are closed. Smaller: a centre may be in a closed
+/// one.
+inline constexpr double kOverlap = 1e-5;
+/// Gaps up to this count as contacts, as they do for the judge. [r] Larger: less is discarded.
+/// Smaller: what is discarded may count one contact more.
+inline constexpr double kDiscardGap = 0.01;
 
-// Cubes.
-
-/// Edge of a cube at most, as a share of R'. Beyond it a surface may leak: see ReachMap, 3.
+/// Edge of a cube. [smallest radius] Larger: parts of an object are found less exactly, and more
+/// cubes of a pile have to be searched. Smaller: time and memory with the inverse cube.
+inline constexpr double kReachVoxel = 0.6;
+/// Edge of a cube at most, as a share of R'. Beyond it a surface may leak: see OpenCubes, 3.
 inline constexpr double kLargestVoxel = 0.7;
-/// Sets of cubes that are kept in memory, here and in the flood.
-inline constexpr int kSetsOfCubes = 4;
-/// Sets of a whole grid up to which it has no bricks. Larger: memory for cubes without anything.
-/// Smaller: ordinary objects look up bricks. [bytes]
-inline constexpr std::size_t kWholeGrid = std::size_t{32} << 20;
 /// Where memory is short, cubes grow by this factor until they fit. Larger: cubes larger than
 /// needed. Smaller: more tries.
 inline constexpr double kGrowth = 1.02;
 /// And by this one where even the largest cubes allowed are reached at once, so that it ends.
 inline constexpr double kMinGrowth = 1.0001;
-/// How often ClearSearch halves a cube, an even number: parts that small count as clear. Larger:
-/// eight times the time for each, for hardly a cube more. Smaller: more is kept.
-inline constexpr int kHalvings = 2;
+/// Words of a grid up to which all its cubes have words, also those outside of the object: then a
+/// hole is found, though what lies behind it is not known to be inside. Larger: memory for cubes
+/// outside. Smaller: a hole in an ordinary mesh may not be found.
+inline constexpr double kWholeGrid = 1 << 20;
 
-// What `frostfill mesh --radius` reports.
+/// The smallest sphere of a size curve up to which nothing is discarded: it passes between three of
+/// the largest that touch, 2 / sqrt(3) - 1. [largest radius] Larger: what is out of reach is not
+/// told. Smaller: time for looks that discard nothing.
+inline constexpr double kPassesBetween = 0.1547;
+/// Marks of a run at which discards are told; see Discards. Larger: time for pictures. Smaller:
+/// pictures jump.
+inline constexpr std::size_t kMarks = 50;
 
-/// Edge of a cube. [r] Larger: parts are found less exactly. Smaller: time and memory.
-inline constexpr double kInspectionVoxel = 0.6;
 /// A part that takes less of its box than this is the edges of an object, which are too narrow for
 /// a sphere all along. Larger: slender parts are not reported. Smaller: every object has a part.
 inline constexpr double kShareOfBox = 0.05;

@@ -46,7 +46,6 @@ Settling::Settling(World& world, Threads& threads)
 
 void Settling::wakeAll()
 {
-    world_.restoreDiscarded();
     const std::size_t known = order_.size();
     order_.resize(world_.spheres.size());
     std::iota(order_.begin() + static_cast<std::ptrdiff_t>(known), order_.end(),

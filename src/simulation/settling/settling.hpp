@@ -39,7 +39,7 @@ public:
     /// Both outlive this.
     Settling(World& world, Threads& threads);
 
-    /// All at rest run again, discarded or not.
+    /// All at rest run again.
     void wakeAll();
     /// Spheres have appeared.
     void admit();

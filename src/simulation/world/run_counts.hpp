@@ -20,7 +20,6 @@ struct RunCounts
     std::vector<SetRecord> sets;
     EnergyBalance energy;             ///< of the spheres that run; empty with Motion::descend
     std::uint64_t polygonChanges = 0; ///< times that a polygon changed its state
-    std::size_t restoredDiscards = 0; ///< times that all discards were taken back
     std::size_t overdue = 0; ///< spheres frozen only because they would not come to rest in time
 };
 

@@ -54,9 +54,13 @@ void SetRecorder::close(World& world)
             world.counts.times.seconds[stage] - timesAtStart_.seconds[stage];
     }
     record.running = world.spheres.runningCount();
-    record.frozen = world.spheres.frozenCount();
-    record.discarded = world.spheres.discardedCount();
-    record.discardedPolygons = world.discardedPolygons;
+    record.frozen = world.spheres.resting().size();
+    if (world.scene.discard.rule == DiscardRule::paper) // the others are found for who asks
+    {
+        record.frozen = world.spheres.frozenCount();
+        record.discarded = world.spheres.discardedCount();
+        record.discardedPolygons = world.discardedPolygons;
+    }
     record.timedOut = timedOut_;
     record.operations = world.counts.operations - operationsAtStart_;
 }

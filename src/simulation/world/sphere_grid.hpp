@@ -94,9 +94,9 @@ public:
     [[nodiscard]] std::size_t size() const { return balls_.size(); }
     [[nodiscard]] const Ball& operator[](std::uint32_t row) const { return balls_[row]; }
     [[nodiscard]] std::uint32_t id(std::uint32_t row) const { return rows_[row].id; }
-    /// Nothing can touch it any more.
+    /// Nothing touches it any more.
     [[nodiscard]] bool isDiscarded(std::uint32_t row) const { return rows_[row].discarded; }
-    void setDiscarded(std::uint32_t row, bool discarded) { rows_[row].discarded = discarded; }
+    void discard(std::uint32_t row) { rows_[row].discarded = true; }
 
     /// Calls visit(row) for each sphere in the cells that a ball of radius `reach` about p meets,
     /// and maybe for a few more. `reach` is meant for the largest spheres, whose radius is 1: of a

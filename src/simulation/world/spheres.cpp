@@ -132,7 +132,6 @@ void Spheres::wake(std::uint32_t id)
 {
     const std::uint32_t gone = row(id);
     const Ball ball = resting_[gone];
-    discarded_ -= resting_.isDiscarded(gone) ? 1 : 0;
     resting_.remove(gone);
     if (gone < resting_.size())
     {
@@ -144,22 +143,9 @@ void Spheres::wake(std::uint32_t id)
 
 void Spheres::discard(std::uint32_t id)
 {
-    resting_.setDiscarded(row(id), true);
+    resting_.discard(row(id));
     ++discarded_;
     changes_.add(id, size());
-}
-
-void Spheres::restoreDiscarded()
-{
-    for (std::uint32_t id = 0; id < size(); ++id)
-    {
-        if (state(id) == SphereState::discarded)
-        {
-            resting_.setDiscarded(row(id), false);
-            changes_.add(id, size());
-        }
-    }
-    discarded_ = 0;
 }
 
 } // namespace frostfill

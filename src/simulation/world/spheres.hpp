@@ -92,8 +92,6 @@ public:
     /// Lets a sphere at rest run again.
     void wake(std::uint32_t id);
     void discard(std::uint32_t id);
-    /// Takes all discards back.
-    void restoreDiscarded();
 
 private:
     static constexpr std::uint32_t kRuns = 1;

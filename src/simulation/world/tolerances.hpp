@@ -39,9 +39,10 @@ inline constexpr double kLargeBox = 1e9;
 /// An object with more cells inside and near its walls is refused: its grids take some ten bytes a
 /// cell, and minutes.
 inline constexpr double kMaxCells = 1e9;
-/// Memory of the map of what is within reach above which its cubes are made larger. Larger: memory.
-/// Smaller: huge runs discard less, or nothing. [bytes]
-inline constexpr std::size_t kMostMapBytes = std::size_t{512} << 20;
+/// Memory of a set of the cubes that may hold a centre above which they are made larger; two are
+/// needed at once. 100 million spheres take 300 MB. Larger: memory. Smaller: huge runs discard
+/// nothing. [bytes]
+inline constexpr std::size_t kMostMapBytes = std::size_t{384} << 20;
 /// So is one whose box is longer than this [r]: the numbers of its cells would not fit.
 inline constexpr double kMaxLength = 2e7;
 /// Memory is set aside for so many times the spheres that fit by the estimate. Smaller: arrays of a

@@ -161,15 +161,6 @@ World::World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedO
     spheres.reserve(most);
 }
 
-void World::restoreDiscarded()
-{
-    spheres.restoreDiscarded();
-    ++counts.restoredDiscards;
-    ++counts.polygonChanges;
-    std::fill(polygons.begin(), polygons.end(), PolygonState::active);
-    discardedPolygons = 0;
-}
-
 void World::discardPolygon(std::uint32_t polygon)
 {
     polygons[polygon] = PolygonState::discarded;

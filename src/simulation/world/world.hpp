@@ -89,8 +89,6 @@ struct World
     StopRequest stop;
 
     void discardPolygon(std::uint32_t polygon);
-    /// Takes all discards back.
-    void restoreDiscarded();
 };
 
 /// Spheres that the run aims at: the count, or the wall-corrected estimate of how many fit.

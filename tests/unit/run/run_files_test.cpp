@@ -53,7 +53,6 @@ TEST_F(RunFiles, SummariseEveryNumberOfTheJudgeUnderItsName)
     quality.unsupported = 6;
     quality.energyGain = 0.07;
     quality.energyExcess = 0.08;
-    quality.restoredDiscards = 9;
     quality.meshVolume = 10;
     quality.sphereVolume = 11;
     quality.volumeEstimate = 12;
@@ -70,7 +69,6 @@ TEST_F(RunFiles, SummariseEveryNumberOfTheJudgeUnderItsName)
                            {"packing_fraction", 1.1},
                            {"energy_gain", 0.07},
                            {"energy_above_start", 0.08},
-                           {"restored_discards", 9},
                            {"volume_estimate", 12.0},
                            {"volume_estimate_error", 13.0}};
     EXPECT_EQ(error, expected) << error.dump(1);

@@ -204,22 +204,5 @@ TEST(NeighbourList, LeavesTheInnerSkinAwayWhereItHasManyTriangles)
     }
 }
 
-TEST(NeighbourList, LeavesDiscardedTrianglesOfADenseWallOut)
-{
-    const auto world = denseWorld();
-    const Eigen::Vector3d p = placesBeside(*world, 0, 1).front();
-    NeighbourList around;
-    around.ensure(*world, p, 1, 0);
-    const auto touched = around.trianglesNear(p, 1 + kTouch);
-    const std::vector<std::uint32_t> all(touched.begin(), touched.end());
-    ASSERT_FALSE(all.empty());
-    world->discardPolygon(all.front());
-    around.invalidate();
-    around.ensure(*world, p, 1, 0);
-    const auto left = around.trianglesNear(p, 1 + kTouch);
-    EXPECT_EQ(std::vector<std::uint32_t>(left.begin(), left.end()),
-              std::vector<std::uint32_t>(all.begin() + 1, all.end()));
-}
-
 } // namespace
 } // namespace frostfill

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double kEdge = 0.66;
-constexpr double kOverlap = 1e-3;
+constexpr std::uint32_t kAll = 0xffffffff;
 
 /// Spheres at random, closer than they could lie: cubes between them are covered by several.
 struct Crowd
@@ -30,10 +30,10 @@ struct Crowd
     /// The depth of p in what excludes it; negative when p is clear by that much.
     [[nodiscard]] double depth(const Eigen::Vector3d& p) const
     {
-        double deepest = 1 - kOverlap - distanceToSurface(object.surface, p);
+        double deepest = 1 - distanceToSurface(object.surface, p);
         for (const Ball& ball : balls)
         {
-            deepest = std::max(deepest, 2 - kOverlap - (p - ball.centre).norm());
+            deepest = std::max(deepest, 2 - (p - ball.centre).norm());
         }
         return deepest;
     }
@@ -52,7 +52,7 @@ TEST(ClearSearch, OverlooksNoClearPointAndFindsNoneWhereAllIsExcluded)
     for (std::uint64_t seed = 1; seed <= 4; ++seed)
     {
         Crowd crowd(seed);
-        ClearSearch search(crowd.resting, crowd.object.surface, crowd.object.grid, 1, kOverlap);
+        const ClearSearch search(crowd.resting, crowd.object.grid, 1);
         for (int k = 0; k < 150; ++k)
         {
             const Eigen::Vector3d middle = crowd.random.point(-4.6, 4.6);
@@ -62,7 +62,7 @@ TEST(ClearSearch, OverlooksNoClearPointAndFindsNoneWhereAllIsExcluded)
                 const Eigen::Vector3d p = middle + crowd.random.point(-kEdge / 2, kEdge / 2);
                 shallowest = std::min(shallowest, crowd.depth(p));
             }
-            const bool mayBeClear = search.mayBeClear(middle, kEdge);
+            const bool mayBeClear = search.mayHold(middle, kEdge, kAll);
             if (shallowest < 0)
             {
                 ++clear;
@@ -84,33 +84,20 @@ TEST(ClearSearch, AnswersAlikeWhereWallsAreDense)
 {
     Crowd crowd(5);
     const Object dense(cubeOfSide(10, 90));
-    ClearSearch search(crowd.resting, crowd.object.surface, crowd.object.grid, 1, kOverlap);
-    ClearSearch among(crowd.resting, dense.surface, dense.grid, 1, kOverlap);
+    const ClearSearch search(crowd.resting, crowd.object.grid, 1);
+    const ClearSearch among(crowd.resting, dense.grid, 1);
     std::size_t walled = 0;
     int clear = 0;
     for (int k = 0; k < 3000; ++k)
     {
         const Eigen::Vector3d middle = crowd.random.point(-4.6, 4.6);
-        const bool expected = search.mayBeClear(middle, kEdge);
-        EXPECT_EQ(among.mayBeClear(middle, kEdge), expected) << middle.transpose();
+        const bool expected = search.mayHold(middle, kEdge, kAll);
+        EXPECT_EQ(among.mayHold(middle, kEdge, kAll), expected) << middle.transpose();
         clear += expected ? 1 : 0;
         walled += dense.grid.near(middle).size() > TriangleGrid::kShortList ? 1 : 0;
     }
     EXPECT_GT(walled, 1000U);
     EXPECT_GT(clear, 100);
-}
-
-// What one search remembers of walls is no wall of another object, on the same thread.
-TEST(ClearSearch, ForgetsTheWallsOfOtherObjects)
-{
-    const Object small(cubeOfSide(18));
-    const Object large(cubeOfSide(20));
-    const SphereGrid nothing(GridFrame::cover(large.surface.box(), 2, 2));
-    const ClearSearch inSmall(nothing, small.surface, small.grid, 1, kOverlap);
-    const ClearSearch inLarge(nothing, large.surface, large.grid, 1, kOverlap);
-    const Eigen::Vector3d place(0.3, 0.2, 8.9);
-    EXPECT_FALSE(inSmall.mayBeClear(place, kEdge));
-    EXPECT_TRUE(inLarge.mayBeClear(place, kEdge)); // a wall is near, but not that near
 }
 
 // Four balls about the corners of a tetrahedron cover a cube that none of them covers alone.
@@ -126,10 +113,9 @@ TEST(ClearSearch, CubeThatOnlySeveralCoverTogetherIsCovered)
         const Eigen::Vector3d farthest = centre.cwiseAbs().array() + kEdge / 2;
         EXPECT_GT(farthest.norm(), 2);
     }
-    ClearSearch search(resting, object.surface, object.grid, 1, kOverlap);
-    EXPECT_FALSE(search.mayBeClear({0, 0, 0}, kEdge));
-    search.ignore(0);
-    EXPECT_TRUE(search.mayBeClear({0, 0, 0}, kEdge));
+    const ClearSearch search(resting, object.grid, 1);
+    EXPECT_FALSE(search.mayHold({0, 0, 0}, kEdge, 4));
+    EXPECT_TRUE(search.mayHold({0, 0, 0}, kEdge, 3)) << "without the last";
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"
-#include "simulation/reach/reach_map.hpp"
+#include "simulation/reach/open_cubes.hpp"
 #include "support/brute_distance.hpp"
 #include "support/random_points.hpp"
 #include "support/shapes.hpp"
@@ -139,11 +139,6 @@ inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b)
     return a;
 }
 
-inline TriangleMesh twoBoxesFarApart()
-{
-    return joined(shapes::box({0, 0, 0}, {9, 7, 8}), shapes::box({150, 60, -70}, {157, 69, -61}));
-}
-
 /// Takes out the triangles whose middle is within half a side of a point.
 inline TriangleMesh withHole(TriangleMesh mesh, const Eigen::Vector3d& where, double side)
 {
@@ -157,19 +152,19 @@ inline TriangleMesh withHole(TriangleMesh mesh, const Eigen::Vector3d& where, do
     return mesh;
 }
 
-/// Calls visit(x, y, z, reached) for every cube of the map.
+/// Calls visit(place, isOpen) for every cube of the grid.
 template <class Visit>
-void forEachCubeOf(const ReachMap& map, Visit&& visit)
+void forEachCubeOf(const OpenCubes& open, Visit&& visit)
 {
-    const auto& count = map.layout().frame.count;
-    for (int y = 0; y < count[1]; ++y)
+    const auto& count = open.cubes.frame().count;
+    for (int z = 0; z < count[2]; ++z)
     {
-        for (int z = 0; z < count[2]; ++z)
+        for (int y = 0; y < count[1]; ++y)
         {
             for (int x = 0; x < count[0]; ++x)
             {
-                const VoxelWord w = map.layout().at(x, y, z);
-                visit(x, y, z, (map.reached()[w.word] & w.bits) != 0);
+                const CubeWord cube = open.cubes.at(GridPlace{x, y, z});
+                visit(GridPlace{x, y, z}, (open.inside[cube.word] & cube.bits) != 0);
             }
         }
     }

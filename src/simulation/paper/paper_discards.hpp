@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/discard/discard_rule.hpp"
+#include "simulation/world/world.hpp"
 
 namespace frostfill
 {
@@ -18,17 +18,5 @@ namespace frostfill
 /// `closeness`. A heuristic: the polygon may be within reach between its vertices.
 /// Returns how many polygons were discarded.
 std::size_t discardCoveredPolygons(World& world, double closeness);
-
-/// Both, after each freezing.
-class PaperDiscards final : public DiscardPart
-{
-public:
-    explicit PaperDiscards(World& world) : world_(world) {}
-    void afterFreezing() override;
-
-private:
-    World& world_;
-    std::size_t firstFrozen_ = 0; ///< first sphere of group FFG
-};
 
 } // namespace frostfill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/discard/paper_discards.hpp"
+#include "simulation/paper/paper_discards.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,14 +98,6 @@ std::size_t discardCoveredPolygons(World& world, double closeness)
         }
     }
     return count;
-}
-
-void PaperDiscards::afterFreezing()
-{
-    const DiscardSettings& settings = world_.scene.discard;
-    firstFrozen_ =
-        discardByHeight(world_, firstFrozen_, world_.spheres.resting().size(), settings.epsilon);
-    discardCoveredPolygons(world_, settings.closeness);
 }
 
 } // namespace frostfill

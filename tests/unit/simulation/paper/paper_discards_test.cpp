@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/discard/paper_discards.hpp"
+#include "simulation/paper/paper_discards.hpp"
 
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"

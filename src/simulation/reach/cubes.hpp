@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geometry/bricked_cells.hpp"
+#include "geometry/cell_rows.hpp"
+#include "geometry/grid_frame.hpp"
+#include "mesh/interior/inside_test.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace frostfill
+{
+
+/// A set of cubes of a grid, one bit each, in the words of a Cubes.
+using CubeSet = std::vector<std::uint64_t>;
+
+/// Some cubes of one row: bit i of word `word`.
+struct CubeWord
+{
+    std::size_t word;
+    std::uint64_t bits;
+};
+
+/// Numbers the cubes of a grid, of a large one those that may hold a point inside of a surface or
+/// within its reach: 64 cubes along x make a word, and 4 x 4 words a brick. All other cubes share
+/// the words of brick 0, which no set has. Memory therefore follows the inside, not the box around
+/// it.
+class Cubes
+{
+public:
+    /// Words that are no cubes.
+    static constexpr std::size_t kNowhere = BrickedCells<1>::kInBrick;
+
+    Cubes() : words_({1, 1, 1}, 0) {}
+    /// Nothing when there are more words than `most`.
+    [[nodiscard]] static std::optional<Cubes> inReach(const GridFrame& frame,
+                                                      const InsideTest& inside, std::size_t most);
+
+    [[nodiscard]] const GridFrame& frame() const { return frame_; }
+    [[nodiscard]] std::size_t words() const { return kNowhere + words_.size(); }
+    /// Word x of row (y, z), which lie in the grid.
+    [[nodiscard]] std::size_t word(int x, int y, int z) const
+    {
+        return kNowhere + words_.find(x, y, z); // without a brick: the last word of brick 0
+    }
+    /// The same of any row.
+    [[nodiscard]] std::size_t wordIfAny(int x, int y, int z) const
+    {
+        return words_.isInGrid({x, y, z}) ? word(x, y, z) : 0;
+    }
+    [[nodiscard]] CubeWord at(const GridPlace& cube) const
+    {
+        return {word(cube[0] / 64, cube[1], cube[2]), std::uint64_t{1} << (cube[0] % 64)};
+    }
+    [[nodiscard]] CubeWord at(const Eigen::Vector3d& p) const { return at(frame_.coordinates(p)); }
+    /// The cube at bit 0 of a word.
+    [[nodiscard]] GridPlace first(std::size_t word) const
+    {
+        const GridPlace place = words_.cell(word - kNowhere);
+        return {place[0] * 64, place[1], place[2]};
+    }
+    /// The cubes of a word that lie in the grid.
+    [[nodiscard]] std::uint64_t inGrid(std::size_t word) const;
+    /// The cubes of a word that have a neighbour without a word.
+    [[nodiscard]] std::uint64_t outermost(std::size_t word) const;
+    [[nodiscard]] Eigen::Vector3d middle(const GridPlace& cube) const
+    {
+        return frame_.centre(cube[0], cube[1], cube[2]);
+    }
+
+    /// Calls visit(place) for each cube of a word.
+    template <class Visit>
+    void forEachCube(CubeWord cubes, Visit&& visit) const
+    {
+        const GridPlace start = first(cubes.word);
+        for (std::uint64_t bits = cubes.bits; bits != 0; bits &= bits - 1)
+        {
+            visit(GridPlace{start[0] + std::countr_zero(bits), start[1], start[2]});
+        }
+    }
+    /// Those of a run that begins and ends in the same word.
+    [[nodiscard]] static std::uint64_t bitsOf(CellRun run)
+    {
+        return ~std::uint64_t{0} >> (63 - (run.last - run.first)) << (run.first % 64);
+    }
+    /// Takes cubes first..last of row (y, z) out of a set.
+    void takeOut(CubeSet& set, int y, int z, CellRun run) const
+    {
+        if (run.first / 64 == run.last / 64) // as nearly always
+        {
+            set[word(run.first / 64, y, z)] &= ~bitsOf(run);
+            return;
+        }
+        forEachWordOf(run, [&](int x, std::uint64_t bits) { set[word(x, y, z)] &= ~bits; });
+    }
+    /// Whether cubes first..last of row (y, z) are in a set.
+    [[nodiscard]] bool any(const CubeSet& set, int y, int z, CellRun run) const
+    {
+        if (run.first <= run.last && run.first / 64 == run.last / 64) // as nearly always
+        {
+            return (set[word(run.first / 64, y, z)] & bitsOf(run)) != 0;
+        }
+        std::uint64_t found = 0;
+        forEachWordOf(run, [&](int x, std::uint64_t bits) { found |= set[word(x, y, z)] & bits; });
+        return found != 0;
+    }
+    /// False only when no cube of a set is in a box: looks at whole bricks, whose words follow each
+    /// other.
+    [[nodiscard]] bool mayHaveAny(const CubeSet& set, const Eigen::AlignedBox3d& box) const
+    {
+        constexpr int kSide = BrickedCells<1>::kSide;
+        const GridPlace low = frame_.coordinates(box.min());
+        const GridPlace high = frame_.coordinates(box.max());
+        std::uint64_t found = 0;
+        for (int z = low[2] / kSide; z <= high[2] / kSide && found == 0; ++z)
+        {
+            for (int y = low[1] / kSide; y <= high[1] / kSide && found == 0; ++y)
+            {
+                forEachWordOf({low[0], high[0]},
+                              [&](int x, std::uint64_t bits)
+                              {
+                                  const std::size_t some = word(x, y * kSide, z * kSide);
+                                  const std::uint64_t* first = &set[some - some % kNowhere];
+                                  std::uint64_t all = 0;
+                                  for (std::size_t k = 0; k < kNowhere; ++k)
+                                  {
+                                      all |= first[k];
+                                  }
+                                  found |= all & bits;
+                              });
+            }
+        }
+        return found != 0;
+    }
+    /// Calls visit(CubeWord) for the cubes of other words that share a face with `cubes`.
+    template <class Visit>
+    void forEachNeighbour(CubeWord cubes, Visit&& visit) const
+    {
+        const GridPlace at = words_.cell(cubes.word - kNowhere);
+        const auto [x, y, z] = at;
+        visit(CubeWord{wordIfAny(x, y - 1, z), cubes.bits});
+        visit(CubeWord{wordIfAny(x, y + 1, z), cubes.bits});
+        visit(CubeWord{wordIfAny(x, y, z - 1), cubes.bits});
+        visit(CubeWord{wordIfAny(x, y, z + 1), cubes.bits});
+        visit(CubeWord{wordIfAny(x - 1, y, z), cubes.bits << 63});
+        visit(CubeWord{wordIfAny(x + 1, y, z), cubes.bits >> 63});
+    }
+    /// Takes the cubes out of a set that are connected through faces with some of it. Calls
+    /// visit(CubeWord) for them, a part of a row at a time.
+    template <class Visit>
+    void takeConnected(CubeSet& set, CubeWord start, Visit&& visit) const
+    {
+        std::vector<CubeWord> stack = {start};
+        while (!stack.empty())
+        {
+            const std::size_t word = stack.back().word;
+            const CubeWord found{word, filled(stack.back().bits, set[word])};
+            stack.pop_back();
+            if (found.bits == 0)
+            {
+                continue;
+            }
+            set[word] &= ~found.bits;
+            visit(found);
+            forEachNeighbour(found,
+                             [&](CubeWord next)
+                             {
+                                 if ((set[next.word] & next.bits) != 0)
+                                 {
+                                     stack.push_back(next);
+                                 }
+                             });
+        }
+    }
+
+private:
+    /// The cubes of a row's word that are connected with `start` inside `open`: the occluded fill
+    /// of chess programs, six doublings to each side [Kogge & Stone 1973].
+    [[nodiscard]] static std::uint64_t filled(std::uint64_t start, std::uint64_t open)
+    {
+        std::uint64_t up = start & open;
+        std::uint64_t down = up;
+        std::uint64_t upOpen = open;
+        std::uint64_t downOpen = open;
+        for (int shift = 1; shift < 64; shift *= 2)
+        {
+            up |= upOpen & (up << shift);
+            upOpen &= upOpen << shift;
+            down |= downOpen & (down >> shift);
+            downOpen &= downOpen >> shift;
+        }
+        return up | down;
+    }
+
+    GridFrame frame_;
+    BrickedCells<1> words_;
+};
+
+/// Which cubes belong to a ball, by what is added to the distance of their middle along each axis.
+inline constexpr double kInsideBall = 0.5; ///< [edge] the farthest corner is within the radius
+inline constexpr double kMeetsBall = -0.5; ///< [edge] the nearest point is
+
+/// Calls test(y, z, run) for the rows of a grid with cubes of a ball, from the top down, until it
+/// returns true. Returns whether it did.
+template <class Test>
+bool findRowOfBall(const GridFrame& frame, const Eigen::Vector3d& centre, double radius,
+                   double half, Test&& test)
+{
+    const Eigen::Vector3d c = ((centre - frame.origin) / frame.cell).array() - 0.5;
+    const double r = radius / frame.cell;
+    const auto rangeOf = [&](int axis, double reach)
+    { return wholeNumbers(c[axis] - reach, c[axis] + reach, frame.count[axis]); };
+    const auto squareOf = [&](int axis, int place)
+    {
+        const double apart = std::max(0.0, std::abs(place - c[axis]) + half);
+        return apart * apart;
+    };
+    const auto [lowY, highY] = rangeOf(1, r - half);
+    const auto [lowZ, highZ] = rangeOf(2, r - half);
+    for (int y = highY; y >= lowY; --y)
+    {
+        const double leftOfY = r * r - squareOf(1, y);
+        for (int z = lowZ; z <= highZ; ++z)
+        {
+            const double left = leftOfY - squareOf(2, z);
+            if (left < 0)
+            {
+                continue;
+            }
+            const auto [first, last] = rangeOf(0, std::sqrt(left) - half);
+            if (first <= last && test(y, z, CellRun{first, last}))
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+} // namespace frostfill

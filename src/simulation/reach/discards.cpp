@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+#include "simulation/reach/discards.hpp"
+
+#include "base/stage_timer.hpp"
+#include "mesh/interior/triangle_rows.hpp"
+#include "simulation/world/tolerances.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <utility>
+
+namespace frostfill
+{
+namespace
+{
+
+// Small spheres of a size curve pass between large ones and get everywhere.
+bool isExact(const World& world)
+{
+    return world.scene.discard.rule == DiscardRule::exact &&
+           (!world.radii.curve() || world.radii.smallest() > kPassesBetween);
+}
+
+/// Whether what is at rest runs again before the end.
+bool wakesEverything(const Scene& scene)
+{
+    return scene.move.any() || scene.rest.mode == Rest::joint ||
+           scene.motion.mode == Motion::granular;
+}
+
+} // namespace
+
+Discards::Discards(World& world)
+    : world_(world), search_(world.spheres.resting(), world.triangles, world.radii.smallest()),
+      isOff_(!isExact(world)),
+      step_(static_cast<std::uint32_t>(std::max<std::size_t>(1, expectedCount(world) / kMarks))),
+      polygons_(isOff_ ? 0 : world.polygons.size())
+{
+    std::iota(polygons_.begin(), polygons_.end(), 0U);
+}
+
+// Larger cubes would give another answer.
+void Discards::use(OpenCubes&& open)
+{
+    if (!isOff_ && mark_ == 0 && open.cubes.frame().cell <= kReachVoxel * open.probe)
+    {
+        open_ = std::move(open);
+    }
+}
+
+void Discards::update()
+{
+    const std::uint32_t mark = isOff_ || isOver_ ? mark_ : newestMark();
+    if (isOff_ || isOver_ || (mark == mark_ && !world_.clock.finished))
+    {
+        return;
+    }
+    const StageTimer timer(world_.counts.times, Stage::discarding);
+    isOver_ = world_.clock.finished;
+    const bool allGo = isOver_ && world_.clock.full;
+    if (!allGo && !findOpenCubes())
+    {
+        return;
+    }
+    const std::uint32_t before = std::exchange(mark_, mark);
+    for (std::uint32_t row = before; row < mark && !allGo; ++row)
+    {
+        close(world_.spheres.resting()[row]);
+    }
+    discardFrom(before, allGo);
+    if (isOver_)
+    {
+        open_.reset();
+        spheres_ = {};
+        polygons_ = {};
+    }
+}
+
+// Of the spheres those that came to rest from a row on have not been looked at yet.
+void Discards::discardFrom(std::uint32_t newest, bool allGo)
+{
+    const SphereGrid& resting = world_.spheres.resting();
+    const auto sphereGoes = [&](std::uint32_t row)
+    {
+        const bool goes = allGo || !canBeTouched(resting[row]);
+        if (goes)
+        {
+            world_.spheres.discard(resting.id(row));
+        }
+        return goes;
+    };
+    std::erase_if(spheres_, sphereGoes);
+    for (std::uint32_t row = newest; row < mark_; ++row)
+    {
+        if (!sphereGoes(row))
+        {
+            spheres_.push_back(row);
+        }
+    }
+    std::erase_if(polygons_,
+                  [&](std::uint32_t polygon)
+                  {
+                      const bool goes = allGo || !canBeTouched(polygon);
+                      if (goes)
+                      {
+                          world_.discardPolygon(polygon);
+                      }
+                      return goes;
+                  });
+}
+
+// Rows at rest are in the order in which the spheres came to rest.
+std::uint32_t Discards::newestMark() const
+{
+    const auto resting = static_cast<std::uint32_t>(world_.spheres.resting().size());
+    if (world_.clock.finished)
+    {
+        return resting;
+    }
+    return wakesEverything(world_.scene) ? 0 : resting - resting % step_;
+}
+
+bool Discards::findOpenCubes()
+{
+    if (!open_)
+    {
+        open_ =
+            openCubesOf(world_.surface, world_.inside, world_.radii.smallest(), kMostMapBytes).open;
+        isOff_ = !open_;
+    }
+    return open_.has_value();
+}
+
+// Closes the cubes that the ball of a sphere at rest excludes as a whole.
+void Discards::close(const Ball& ball)
+{
+    const Cubes& cubes = open_->cubes;
+    findRowOfBall(cubes.frame(), ball.position(), open_->exclusion(ball.radius + open_->probe),
+                  kInsideBall,
+                  [&](int y, int z, CellRun run)
+                  {
+                      cubes.takeOut(open_->inside, y, z, run);
+                      return false;
+                  });
+}
+
+bool Discards::canBeTouched(const Ball& ball)
+{
+    const double reach = ball.radius + world_.radii.largest() + kDiscardGap;
+    const double ofPart = reach + ClearSearch::reachOfPart(open_->cubes.frame().cell);
+    const Eigen::Vector3d centre = ball.position();
+    if (!open_->cubes.mayHaveAny(open_->inside, {centre.array() - reach, centre.array() + reach}))
+    {
+        return false;
+    }
+    const auto isNear = [&](const Eigen::Vector3d& part)
+    { return (part - centre).squaredNorm() <= ofPart * ofPart; };
+    return findRowOfBall(open_->cubes.frame(), centre, reach, kMeetsBall,
+                         [&](int y, int z, CellRun run)
+                         {
+                             return findPlace(
+                                 y, z, run, [](int) { return true; }, isNear);
+                         });
+}
+
+bool Discards::canBeTouched(std::uint32_t polygon)
+{
+    const Cubes& cubes = open_->cubes;
+    const double reach = world_.radii.largest() + kDiscardGap;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& corner : world_.surface[polygon].corner)
+    {
+        box.extend(Eigen::Vector3d(corner.array() - reach));
+        box.extend(Eigen::Vector3d(corner.array() + reach));
+    }
+    if (!cubes.mayHaveAny(open_->inside, box))
+    {
+        return false;
+    }
+    const TriangleRows rows(cubes.frame(), world_.surface, polygon,
+                            reach + kHalfDiagonal * cubes.frame().cell);
+    const NearTriangle near(world_.surface, polygon,
+                            reach + ClearSearch::reachOfPart(cubes.frame().cell));
+    const auto isNear = [&](const Eigen::Vector3d& part) { return near.contains(part); };
+    std::uint64_t row = 0;
+    return rows.find(
+        row,
+        [&](int y, int z, CellRun most)
+        {
+            const CellRun run = rows.run(y, z, most);
+            return findPlace(
+                y, z, run, [&](int x) { return rows.near(x, y, z); }, isNear);
+        },
+        [&](int y, int z, int last, CellRun most)
+        {
+            while (z <= last && !cubes.any(open_->inside, y, z, most))
+            {
+                ++z;
+            }
+            return z;
+        });
+}
+
+// Whether one of the cubes of a row that are near may hold a place in a part that is near. Cubes
+// that hold none at all are closed.
+template <class IsCubeNear>
+bool Discards::findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear, const IsNear& isNear)
+{
+    const Cubes& cubes = open_->cubes;
+    bool found = false;
+    forEachWordOf(run,
+                  [&](int x, std::uint64_t bits)
+                  {
+                      std::uint64_t& open = open_->inside[cubes.word(x, y, z)];
+                      for (bits &= open; bits != 0 && !found; bits &= bits - 1)
+                      {
+                          const int cube = 64 * x + std::countr_zero(bits);
+                          if (!isCubeNear(cube))
+                          {
+                              continue;
+                          }
+                          const auto place = search_.find(cubes.middle({cube, y, z}),
+                                                          cubes.frame().cell, mark_, isNear);
+                          found = place == ClearSearch::Place::wanted;
+                          open &= place == ClearSearch::Place::none ? ~(bits & -bits) : open;
+                      }
+                  });
+    return found;
+}
+
+} // namespace frostfill

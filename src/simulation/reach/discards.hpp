@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "simulation/reach/clear_search.hpp"
+#include "simulation/reach/open_cubes.hpp"
+#include "simulation/world/world.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace frostfill
+{
+
+/// Tells what is discarded in the preset fast: the spheres and polygons that no sphere that runs or
+/// may yet come can touch. No step of a run depends on the answer, so it is found only when
+/// somebody asks: for a picture, a table, a column, or at the end. See OpenCubes for the proof.
+///
+/// The answer is a function of the spheres that were at rest at the newest mark: a multiple of a
+/// fiftieth of the run, or its end. It is therefore the same however often somebody asks, and what
+/// is discarded stays so. A sphere may yet appear wherever one fits, in a hole of the pile as well
+/// as above it. At the end of a run, what is discarded is what a further sphere could not touch; in
+/// a full object that is all. Where the object moves or all settle together, everything may run
+/// again: nothing is discarded before that is over.
+class Discards
+{
+public:
+    /// The world lives as long as this.
+    explicit Discards(World& world);
+    /// Marks what is discarded by now in the world.
+    void update();
+    /// The open cubes of the empty object, which then need not be found again.
+    void use(OpenCubes&& open);
+
+private:
+    using IsNear = std::function<bool(const Eigen::Vector3d&)>;
+
+    [[nodiscard]] std::uint32_t newestMark() const;
+    [[nodiscard]] bool findOpenCubes();
+    void close(const Ball& ball);
+    [[nodiscard]] bool canBeTouched(const Ball& ball);
+    [[nodiscard]] bool canBeTouched(std::uint32_t polygon);
+    template <class IsCubeNear>
+    [[nodiscard]] bool findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear,
+                                 const IsNear& isNear);
+    void discardFrom(std::uint32_t newest, bool allGo);
+
+    World& world_;
+    ClearSearch search_;
+    std::optional<OpenCubes> open_;       ///< less what holds no place at the newest mark
+    bool isOff_;                          ///< nothing is ever discarded
+    std::uint32_t step_;                  ///< spheres from mark to mark
+    bool isOver_ = false;                 ///< found for the end of the run
+    std::uint32_t mark_ = 0;              ///< spheres at rest at the newest mark
+    std::vector<std::uint32_t> spheres_;  ///< rows at rest that are not discarded
+    std::vector<std::uint32_t> polygons_; ///< that are not discarded
+};
+
+} // namespace frostfill
