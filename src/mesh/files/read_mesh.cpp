@@ -4,7 +4,7 @@
 #include "mesh/files/parse_mesh.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
-#include "mesh/repair/find_invalid_data.hpp"
+#include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/weld.hpp"
 
 #include <frostfill/error.hpp>

@@ -3,7 +3,7 @@
 // crashes, hangs or fills the memory on damaged files; in a child process that costs a sentence.
 // The other readers are not known to, and are sandboxed nevertheless.
 #include "mesh/files/sandbox.hpp"
-#include "mesh/repair/find_invalid_data.hpp"
+#include "mesh/repair/clean_mesh.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>

@@ -300,4 +300,41 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
     return isInsideByWinding(p);
 }
 
+void InsideTest::markTwoSided()
+{
+    const TriangleGrid::Cells& cells = grid_->cells();
+    hasTwoSided_.resize(cells.size());
+    const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    {
+        const std::span<const std::uint32_t> all = grid_->ofCell(cell);
+        hasTwoSided_[cell] = all.size() > TriangleGrid::kShortList || // the tree knows
+                             std::any_of(all.begin(), all.end(), isTwoSided);
+    }
+}
+
+bool InsideTest::isNearTwoSided(const Eigen::Vector3d& p) const
+{
+    const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
+    const auto [x, y, z] = grid_->frame().coordinates(p);
+    const std::size_t cell = grid_->cells().find(x, y, z);
+    if (hasTwoSided_.empty() || !hasTwoSided_[cell])
+    {
+        return false;
+    }
+    const std::span<const std::uint32_t> all = grid_->ofCell(cell);
+    if (all.size() <= TriangleGrid::kShortList)
+    {
+        return std::any_of(all.begin(), all.end(), isTwoSided);
+    }
+    bool isNear = false; // once one is, the others of its leaf come, too
+    surface_->tree().forEachTriangleNear(p, reach(),
+                                         [&](std::uint32_t id)
+                                         {
+                                             isNear = isTwoSided(id) || isNear;
+                                             return isNear ? -1 : reach();
+                                         });
+    return isNear;
+}
+
 } // namespace frostfill

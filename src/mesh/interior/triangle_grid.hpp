@@ -93,8 +93,6 @@ public:
     }
 
 private:
-    class Builder;
-
     const Surface* surface_;
     GridFrame frame_;
     double reach_;

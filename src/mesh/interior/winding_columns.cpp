@@ -17,6 +17,10 @@ namespace
 constexpr double kColumnsPerTriangle = 0.5;
 constexpr double kMaxColumns = 512;
 
+/// [1] Of the size of the mesh and its distance from the origin, which is far above rounding.
+/// Larger: a wall close by is passed.
+constexpr double kBeside = 1e-12;
+
 /// orient2d for a ray that passes by p as if moved by an infinitely small (e, e^2), so that it
 /// meets no corner and no edge [Edelsbrunner & Muecke 1990].
 int orientMoved(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p)
@@ -103,16 +107,25 @@ int WindingColumns::at(const Eigen::Vector3d& p) const
     {
         return 0;
     }
-    const Eigen::Vector2d q = flat(p);
-    const auto column =
-        static_cast<std::size_t>(columnOf(q.y(), 1)) * static_cast<std::size_t>(count_[0]) +
-        static_cast<std::size_t>(columnOf(q.x(), 0));
     int winding = 0;
-    for (std::uint32_t k = starts_[column]; k < starts_[column + 1]; ++k)
-    {
-        winding += passage(mesh_->triangles[ids_[k]], p);
-    }
+    forEachPassage(p,
+                   [&](std::uint32_t id, int change)
+                   {
+                       // Counter-clockwise seen from the ray's end, a triangle is left through
+                       // where p is behind it.
+                       const auto& [a, b, c] = mesh_->triangles[id];
+                       const int side =
+                           orient3d(mesh_->vertices[a], mesh_->vertices[b], mesh_->vertices[c], p);
+                       winding += side == -change ? change : 0;
+                   });
     return winding;
+}
+
+WindingColumns::Sides WindingColumns::sidesOf(const Eigen::Vector3d& p,
+                                              const Eigen::Vector3d& outward) const
+{
+    const double step = kBeside * (box_.diagonal().norm() + p.norm());
+    return {at(p + step * outward), at(p - step * outward)};
 }
 
 // By how much the winding number is larger before the ray from p passes a triangle than after.
@@ -134,8 +147,7 @@ int WindingColumns::passage(const std::array<std::uint32_t, 3>& triangle,
     {
         return 0;
     }
-    // Counter-clockwise seen from the ray's end, a triangle is left through where p is behind it.
-    return orient3d(a, b, c, p) == -side ? side : 0;
+    return side;
 }
 
 } // namespace frostfill

@@ -22,6 +22,31 @@ public:
     /// Of a point that is not on the surface; on it, that of one of the two sides.
     [[nodiscard]] int at(const Eigen::Vector3d& p) const;
 
+    struct Sides
+    {
+        int front;
+        int behind;
+    };
+    /// Just beside a place of the surface whose triangle has the unit normal `outward`.
+    [[nodiscard]] Sides sidesOf(const Eigen::Vector3d& p, const Eigen::Vector3d& outward) const;
+
+    /// The axis along which rays go.
+    [[nodiscard]] int along() const { return 3 - across_[0] - across_[1]; }
+    /// Calls visit(triangle, change) for each wall that the line through p along that axis passes,
+    /// with what it changes the winding number by from beyond it to before it: 1 or -1.
+    template <class Visit>
+    void forEachPassage(const Eigen::Vector3d& p, Visit&& visit) const
+    {
+        const std::size_t column = columnOf(p);
+        for (std::uint32_t k = starts_[column]; k < starts_[column + 1]; ++k)
+        {
+            if (const int change = passage(mesh_->triangles[ids_[k]], p); change != 0)
+            {
+                visit(ids_[k], change);
+            }
+        }
+    }
+
 private:
     [[nodiscard]] Eigen::Vector2d flat(const Eigen::Vector3d& p) const
     {
@@ -29,6 +54,12 @@ private:
     }
     /// The column of a coordinate, those beyond the border included.
     [[nodiscard]] int columnOf(double coordinate, std::size_t k) const;
+    [[nodiscard]] std::size_t columnOf(const Eigen::Vector3d& p) const
+    {
+        return static_cast<std::size_t>(columnOf(p[across_[1]], 1)) *
+                   static_cast<std::size_t>(count_[0]) +
+               static_cast<std::size_t>(columnOf(p[across_[0]], 0));
+    }
     [[nodiscard]] int passage(const std::array<std::uint32_t, 3>& triangle,
                               const Eigen::Vector3d& p) const;
 

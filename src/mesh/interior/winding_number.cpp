@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The solid angle of a triangle: [van Oosterom & Strackee 1983, eq. 8].
-#include "mesh/interior/winding_number.hpp"
+#include <frostfill/mesh.hpp>
 
 #include <cmath>
 
@@ -28,8 +28,7 @@ private:
     double lost_ = 0;
 };
 
-} // namespace
-
+/// [4 pi] Signed solid angle of a triangle seen from a point: at most 1/2, and finite everywhere.
 double solidAngle(const TriangleMesh& mesh, std::size_t triangle, const Eigen::Vector3d& point)
 {
     const auto& t = mesh.triangles[triangle];
@@ -42,21 +41,12 @@ double solidAngle(const TriangleMesh& mesh, std::size_t triangle, const Eigen::V
     return std::atan2(numerator, denominator) / kTwoPi;
 }
 
+} // namespace
+
 double windingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& point)
 {
     CarefulSum sum;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
-    {
-        sum.add(solidAngle(mesh, triangle, point));
-    }
-    return sum.value();
-}
-
-double windingNumber(const TriangleMesh& mesh, std::span<const std::uint32_t> triangles,
-                     const Eigen::Vector3d& point)
-{
-    CarefulSum sum;
-    for (const std::uint32_t triangle : triangles)
     {
         sum.add(solidAngle(mesh, triangle, point));
     }

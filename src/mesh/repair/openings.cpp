@@ -3,9 +3,9 @@
 
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/components.hpp"
-#include "mesh/repair/large_lid.hpp"
+#include "mesh/repair/lids.hpp"
+#include "mesh/repair/loose_parts.hpp"
 #include "mesh/repair/orient_mesh.hpp"
-#include "mesh/repair/sheets.hpp"
 
 #include <map>
 
@@ -111,7 +111,7 @@ void putLidsOn(OpenPatch& patch, TriangleMesh& mesh, const EdgeTable& edges)
         LidReport report;
         report.edges = rim.size();
         report.middle = middleOf(mesh, rim);
-        const std::vector<Triangle> lid = largeLid(mesh, edges, rim);
+        const std::vector<Triangle> lid = lidOver(mesh, edges, rim);
         for (const Triangle& t : lid)
         {
             const Eigen::Vector3d& a = mesh.vertices[t[0]];

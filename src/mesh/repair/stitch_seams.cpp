@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/repair/stitch_seams.hpp"
 
-#include "mesh/repair/rim_vertices.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 #include "mesh/repair/weld.hpp"
 #include "mesh/triangle_shape.hpp"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <optional>
 
 namespace frostfill
@@ -20,9 +21,25 @@ constexpr std::size_t kMaxStitches = 8;   // a triangle is split at one of its s
 constexpr std::size_t kSplitsPerEdge = 4; // more are no seam
 constexpr std::size_t kSplitsAtLeast = 1000;
 
+/// The vertices of rims, each as a triangle with no other corner.
+TriangleMesh verticesOfRims(const TriangleMesh& mesh, const EdgeTable& edges)
+{
+    const std::vector<bool> onRim = verticesOnRims(mesh, edges);
+    TriangleMesh points{mesh.vertices, {}};
+    for (std::uint32_t vertex = 0; vertex < onRim.size(); ++vertex)
+    {
+        if (onRim[vertex])
+        {
+            points.triangles.push_back({vertex, vertex, vertex});
+        }
+    }
+    return points;
+}
+
 /// Vertices on the inner part of a side, in its direction.
-std::vector<std::uint32_t> verticesOnSide(const TriangleMesh& mesh, const RimVertices& rims,
-                                          const Triangle& t, std::size_t side, double distance)
+std::vector<std::uint32_t> verticesOnSide(const TriangleMesh& mesh, const TriangleMesh& rims,
+                                          const TriangleBvh& tree, const Triangle& t,
+                                          std::size_t side, double distance)
 {
     const Eigen::Vector3d& a = mesh.vertices[t[side]];
     const Eigen::Vector3d& b = mesh.vertices[t[(side + 1) % 3]];
@@ -31,17 +48,19 @@ std::vector<std::uint32_t> verticesOnSide(const TriangleMesh& mesh, const RimVer
     if (length > 2 * distance)
     {
         const Eigen::Vector3d along = (b - a) / length;
-        rims.near(a, b, distance,
-                  [&](std::uint32_t vertex)
-                  {
-                      const Eigen::Vector3d arm = mesh.vertices[vertex] - a;
-                      const double where = arm.dot(along);
-                      if (where > distance && where < length - distance &&
-                          (arm - where * along).norm() <= distance && vertex != t[(side + 2) % 3])
-                      {
-                          found.emplace_back(where, vertex);
-                      }
-                  });
+        tree.forEachTriangleOnWay(a, b, distance,
+                                  [&](std::uint32_t point)
+                                  {
+                                      const std::uint32_t vertex = rims.triangles[point][0];
+                                      const Eigen::Vector3d arm = mesh.vertices[vertex] - a;
+                                      const double where = arm.dot(along);
+                                      if (where > distance && where < length - distance &&
+                                          (arm - where * along).norm() <= distance &&
+                                          vertex != t[(side + 2) % 3])
+                                      {
+                                          found.emplace_back(where, vertex);
+                                      }
+                                  });
     }
     std::sort(found.begin(), found.end());
     std::vector<std::uint32_t> vertices;
@@ -61,7 +80,8 @@ std::vector<std::uint32_t> verticesOnSide(const TriangleMesh& mesh, const RimVer
 std::optional<std::size_t> splitOnce(TriangleMesh& mesh, double distance, std::size_t most)
 {
     const EdgeTable edges(mesh);
-    const RimVertices rims(mesh, edges);
+    const TriangleMesh rims = verticesOfRims(mesh, edges);
+    const TriangleBvh tree(rims);
     std::vector<bool> touched(mesh.triangles.size(), false);
     std::size_t count = 0;
     edges.forEach(
@@ -73,7 +93,7 @@ std::optional<std::size_t> splitOnce(TriangleMesh& mesh, double distance, std::s
                 return;
             }
             const Triangle t = mesh.triangles[use.triangle];
-            const auto vertices = verticesOnSide(mesh, rims, t, use.corner, distance);
+            const auto vertices = verticesOnSide(mesh, rims, tree, t, use.corner, distance);
             if (vertices.empty())
             {
                 return;

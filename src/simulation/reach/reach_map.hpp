@@ -4,9 +4,8 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "mesh/interior/group_rows.hpp"
 #include "mesh/interior/inside_test.hpp"
-#include "mesh/interior/triangle_rows.hpp"
+#include "mesh/interior/near_surface.hpp"
 #include "simulation/reach/ball_slabs.hpp"
 #include "simulation/reach/sparse_voxel_bits.hpp"
 #include "simulation/reach/tolerances.hpp"
@@ -220,9 +219,6 @@ private:
     template <class Confirm>
     bool findNearSphere(const Eigen::Vector3d& p, double distance, Cursor& cursor,
                         Confirm&& confirm) const;
-    template <class Confirm, class Found>
-    void findNearTriangle(std::uint32_t triangle, CellRow from, Confirm&& confirm,
-                          Found&& found) const;
 
     const Surface& surface_;
     Radii radii_;
@@ -272,63 +268,43 @@ bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor&
 }
 
 template <class Confirm, class Found>
-void ReachMap::findNear(const TriangleGroup& group, CellRow from, Confirm&& confirm,
+void ReachMap::findNear(const TriangleGroup& group, CellRow /*from*/, Confirm&& confirm,
                         Found&& found) const
 {
-    if (group.triangles.size() == 1)
-    {
-        findNearTriangle(group.triangles[0], from, confirm, found);
-        return;
-    }
-    const GroupRows rows(layout_.frame, surface_, group, polygonDistance());
-    std::uint64_t left = ~std::uint64_t{0} >> (64 - group.triangles.size());
+    const NearGroup near(surface_, group, polygonDistance());
+    std::vector<bool> isFound(group.triangles.size(), false);
+    std::size_t left = isFound.size();
     const auto take = [&](int x, int y, int z, VoxelWord cube)
     {
-        std::uint64_t near = rows.nearAmong(left, x, y, z);
-        if (near != 0 && confirm(x, y, z))
+        const Eigen::Vector3d middle = layout_.frame.centre(x, y, z);
+        if (near.contains(middle) && confirm(x, y, z))
         {
-            left &= ~near;
-            for (; near != 0; near &= near - 1)
+            for (std::size_t k = 0; k < isFound.size(); ++k)
             {
-                found(static_cast<std::size_t>(std::countr_zero(near)), cube);
+                if (!isFound[k] && near.isNear(group.triangles[k], middle))
+                {
+                    isFound[k] = true;
+                    --left;
+                    found(k, cube);
+                }
             }
         }
         return left == 0;
     };
-    rows.find(from,
-              [&](int y, int z, CellRun run)
-              {
-                  return layout_.findInRow(open_, y, z, run.first, run.last,
-                                           [&](int x, VoxelWord cube)
-                                           { return take(x, y, z, cube); });
-              });
-}
-
-template <class Confirm, class Found>
-void ReachMap::findNearTriangle(std::uint32_t triangle, CellRow from, Confirm&& confirm,
-                                Found&& found) const
-{
-    const TriangleRows rows(layout_.frame, surface_, triangle, polygonDistance());
-    const auto take = [&](int x, int y, int z, VoxelWord cube)
-    {
-        const bool its = rows.near(x, y, z) && confirm(x, y, z);
-        if (its)
+    forEachRunNear(
+        layout_.frame, surface_, group, polygonDistance(),
+        [&](int y, int z, CellRun run, auto&&)
         {
-            found(0, cube);
-        }
-        return its;
-    };
-    std::uint64_t row = rows.numberFrom(from);
-    rows.find(
-        row,
-        [&](int y, int z, CellRun most)
-        {
-            const CellRun run = rows.run(y, z, most);
-            return layout_.findInRow(open_, y, z, run.first, run.last,
-                                     [&](int x, VoxelWord cube) { return take(x, y, z, cube); });
+            if (left > 0)
+            {
+                layout_.findInRow(open_, y, z, run.first, run.last,
+                                  [&](int x, VoxelWord cube) { return take(x, y, z, cube); });
+            }
         },
-        [&](int y, int z, int last, CellRun most)
-        { return layout_.firstRow(open_, y, z, last, most.first, most.last); });
+        [&](int y, int z, int last, CellRun most) {
+            return left == 0 ? last + 1
+                             : layout_.firstRow(open_, y, z, last, most.first, most.last);
+        });
 }
 
 } // namespace frostfill
