@@ -5,7 +5,7 @@
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
 #include "mesh/repair/clean_mesh.hpp"
-#include "mesh/repair/weld.hpp"
+#include "mesh/repair/stitch_seams.hpp"
 
 #include <frostfill/error.hpp>
 

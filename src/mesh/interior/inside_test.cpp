@@ -186,10 +186,6 @@ InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     : surface_(&surface), grid_(&grid), winding_(surface.mesh()),
       far_(grid.cells().bricks().count()), cellInside_(grid.cells().size(), false)
 {
-    if (surface.anyTwoSided())
-    {
-        markTwoSided();
-    }
     Flood(*this).run();
 }
 
@@ -300,29 +296,14 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
     return isInsideByWinding(p);
 }
 
-void InsideTest::markTwoSided()
-{
-    const TriangleGrid::Cells& cells = grid_->cells();
-    hasTwoSided_.resize(cells.size());
-    const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
-    for (std::size_t cell = 0; cell < cells.size(); ++cell)
-    {
-        const std::span<const std::uint32_t> all = grid_->ofCell(cell);
-        hasTwoSided_[cell] = all.size() > TriangleGrid::kShortList || // the tree knows
-                             std::any_of(all.begin(), all.end(), isTwoSided);
-    }
-}
-
 bool InsideTest::isNearTwoSided(const Eigen::Vector3d& p) const
 {
     const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
-    const auto [x, y, z] = grid_->frame().coordinates(p);
-    const std::size_t cell = grid_->cells().find(x, y, z);
-    if (hasTwoSided_.empty() || !hasTwoSided_[cell])
+    if (!surface_->anyTwoSided())
     {
         return false;
     }
-    const std::span<const std::uint32_t> all = grid_->ofCell(cell);
+    const std::span<const std::uint32_t> all = grid_->near(p);
     if (all.size() <= TriangleGrid::kShortList)
     {
         return std::any_of(all.begin(), all.end(), isTwoSided);

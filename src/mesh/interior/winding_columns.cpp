@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace frostfill
 {
@@ -43,7 +42,7 @@ WindingColumns::WindingColumns(const TriangleMesh& mesh) : mesh_(&mesh), box_(bo
 {
     if (mesh.triangles.empty())
     {
-        starts_ = {0, 0};
+        columns_ = Buckets<std::uint32_t>(1, [](auto&&) {});
         return;
     }
     int along = 0; // few walls lie one behind the other along the shortest side
@@ -62,34 +61,26 @@ WindingColumns::WindingColumns(const TriangleMesh& mesh) : mesh_(&mesh), box_(bo
                        return std::array{static_cast<std::uint16_t>(columnOf(at.x(), 0)),
                                          static_cast<std::uint16_t>(columnOf(at.y(), 1))};
                    });
-    const auto forEachColumn = [&](const std::array<std::uint32_t, 3>& triangle, auto&& visit)
+    const auto enterAll = [&](auto&& enter)
     {
-        const auto& [a, b, c] = triangle;
-        const auto [firstX, lastX] = std::minmax({ofVertex[a][0], ofVertex[b][0], ofVertex[c][0]});
-        const auto [firstY, lastY] = std::minmax({ofVertex[a][1], ofVertex[b][1], ofVertex[c][1]});
-        for (std::size_t y = firstY; y <= lastY; ++y)
+        for (std::uint32_t id = 0; id < mesh.triangles.size(); ++id)
         {
-            for (std::size_t x = firstX; x <= lastX; ++x)
+            const auto& [a, b, c] = mesh.triangles[id];
+            const auto [firstX, lastX] =
+                std::minmax({ofVertex[a][0], ofVertex[b][0], ofVertex[c][0]});
+            const auto [firstY, lastY] =
+                std::minmax({ofVertex[a][1], ofVertex[b][1], ofVertex[c][1]});
+            for (std::size_t y = firstY; y <= lastY; ++y)
             {
-                visit(y * static_cast<std::size_t>(count_[0]) + x);
+                for (std::size_t x = firstX; x <= lastX; ++x)
+                {
+                    enter(y * static_cast<std::size_t>(count_[0]) + x, id);
+                }
             }
         }
     };
-
-    // Count, sum up the ends of the columns, and fill each from its end.
-    starts_.assign(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) + 1,
-                   0);
-    for (const auto& triangle : mesh.triangles)
-    {
-        forEachColumn(triangle, [this](std::size_t column) { ++starts_[column]; });
-    }
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    ids_.resize(starts_.back());
-    for (auto id = static_cast<std::uint32_t>(mesh.triangles.size()); id-- > 0;)
-    {
-        forEachColumn(mesh.triangles[id],
-                      [&](std::size_t column) { ids_[--starts_[column]] = id; });
-    }
+    columns_ = Buckets<std::uint32_t>(
+        static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]), enterAll);
 }
 
 int WindingColumns::columnOf(double coordinate, std::size_t k) const

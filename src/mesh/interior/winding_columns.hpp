@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
+
 #include <frostfill/mesh.hpp>
 
 #include <array>
@@ -37,12 +39,11 @@ public:
     template <class Visit>
     void forEachPassage(const Eigen::Vector3d& p, Visit&& visit) const
     {
-        const std::size_t column = columnOf(p);
-        for (std::uint32_t k = starts_[column]; k < starts_[column + 1]; ++k)
+        for (const std::uint32_t triangle : columns_[columnOf(p)])
         {
-            if (const int change = passage(mesh_->triangles[ids_[k]], p); change != 0)
+            if (const int change = passage(mesh_->triangles[triangle], p); change != 0)
             {
-                visit(ids_[k], change);
+                visit(triangle, change);
             }
         }
     }
@@ -67,8 +68,7 @@ private:
     Eigen::AlignedBox3d box_;
     std::array<int, 2> across_ = {1, 2}; ///< axes across the rays
     std::array<int, 2> count_ = {1, 1};  ///< of columns
-    std::vector<std::uint32_t> starts_;  ///< [#columns + 1]
-    std::vector<std::uint32_t> ids_;     ///< triangles by column
+    Buckets<std::uint32_t> columns_;     ///< of triangles
 };
 
 } // namespace frostfill

@@ -6,7 +6,6 @@
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/lids.hpp"
 #include "mesh/repair/loose_parts.hpp"
-#include "mesh/repair/openings.hpp"
 #include "mesh/repair/orient_mesh.hpp"
 #include "mesh/repair/stitch_seams.hpp"
 #include "mesh/skin/wrap_program.hpp"

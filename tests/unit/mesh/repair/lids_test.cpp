@@ -2,7 +2,6 @@
 #include "mesh/repair/lids.hpp"
 
 #include "mesh/edge_table.hpp"
-#include "mesh/repair/openings.hpp"
 #include "mesh/repair/rims.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
