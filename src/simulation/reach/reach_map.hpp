@@ -268,9 +268,15 @@ bool ReachMap::findNearSphere(const Eigen::Vector3d& p, double distance, Cursor&
 }
 
 template <class Confirm, class Found>
-void ReachMap::findNear(const TriangleGroup& group, CellRow /*from*/, Confirm&& confirm,
+void ReachMap::findNear(const TriangleGroup& asked, CellRow /*from*/, Confirm&& confirm,
                         Found&& found) const
 {
+    TriangleGroup group{asked.triangles, {}};
+    for (const std::uint32_t t : group.triangles)
+    {
+        const auto& [a, b, c] = surface_[t].corner;
+        group.box.extend(a).extend(b).extend(c);
+    }
     const NearGroup near(surface_, group, polygonDistance());
     std::vector<bool> isFound(group.triangles.size(), false);
     std::size_t left = isFound.size();
