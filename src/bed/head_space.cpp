@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bed/head_space.hpp"
 
-#include "mesh/repair/large_lid.hpp"
+#include "mesh/repair/lids.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/sphere_levels.hpp"
 
+#include "base/buckets.hpp"
+
 #include <map>
 
 namespace frostfill
@@ -30,27 +32,20 @@ void sortByCell(SphereLevels::Level& level, const std::vector<SphereLevels::Sphe
                 const std::vector<std::uint32_t>& ids)
 {
     level.frame = frameOver(spheres);
-    level.starts.assign(level.frame.size() + 1, 0);
-    std::vector<std::uint32_t> cells;
-    cells.reserve(spheres.size());
-    for (const SphereLevels::Sphere& sphere : spheres)
+    const Buckets<std::uint32_t> places(level.frame.size(),
+                                        [&](auto&& enter)
+                                        {
+                                            for (std::uint32_t k = 0; k < spheres.size(); ++k)
+                                            {
+                                                enter(level.frame.index(spheres[k].centre), k);
+                                            }
+                                        });
+    level.starts = places.starts();
+    for (const std::uint32_t k : places.values())
     {
-        cells.push_back(static_cast<std::uint32_t>(level.frame.index(sphere.centre)));
-        ++level.starts[cells.back() + 1];
-        level.largest = std::max(level.largest, sphere.radius);
-    }
-    for (std::size_t cell = 1; cell < level.starts.size(); ++cell)
-    {
-        level.starts[cell] += level.starts[cell - 1];
-    }
-    std::vector<std::uint32_t> next(level.starts.begin(), level.starts.end() - 1);
-    level.spheres.resize(spheres.size());
-    level.ids.resize(spheres.size());
-    for (std::size_t k = 0; k < spheres.size(); ++k)
-    {
-        const std::uint32_t place = next[cells[k]]++;
-        level.spheres[place] = spheres[k];
-        level.ids[place] = ids[k];
+        level.largest = std::max(level.largest, spheres[k].radius);
+        level.spheres.push_back(spheres[k]);
+        level.ids.push_back(ids[k]);
     }
 }
 

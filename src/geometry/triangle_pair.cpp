@@ -17,10 +17,6 @@ namespace
 
 using Corners = TrianglePair::Corners;
 
-/// [1] Share of the size of two triangles by which their shadows on an axis must be apart. Larger:
-/// more pairs need the exact test. Below the 10 roundings of 1e-16 of a shadow: misses crossings.
-constexpr double kShadowRounding = 1e-14;
-
 std::size_t next(std::size_t corner)
 {
     return (corner + 1) % 3;
@@ -128,55 +124,6 @@ bool anyEdgeMeets(const Corners& edges, const std::array<int, 3>& sides, const C
     return false;
 }
 
-/// A plane that surely separates the triangles, found in rounded arithmetic among those that an
-/// edge and a normal span. Spares nearly all pairs of a surface the exact test.
-bool surelyApart(const Corners& a, const Corners& b)
-{
-    const auto from = [&](const Corners& t) {
-        return Corners{t[0] - a[0], t[1] - a[0], t[2] - a[0]};
-    };
-    const Corners u = from(a);
-    const Corners v = from(b);
-    double size = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-        size = std::max({size, u[k].lpNorm<Eigen::Infinity>(), v[k].lpNorm<Eigen::Infinity>()});
-    }
-    const auto separates = [&](const Eigen::Vector3d& axis)
-    {
-        const auto [uLow, uHigh] = std::minmax({axis.dot(u[0]), axis.dot(u[1]), axis.dot(u[2])});
-        const auto [vLow, vHigh] = std::minmax({axis.dot(v[0]), axis.dot(v[1]), axis.dot(v[2])});
-        const double margin = kShadowRounding * size * axis.lpNorm<1>();
-        return vLow > uHigh + margin || uLow > vHigh + margin;
-    };
-    const Eigen::Vector3d uNormal = u[1].cross(u[2]);
-    const Eigen::Vector3d vNormal = (v[1] - v[0]).cross(v[2] - v[0]);
-    if (separates(uNormal) || separates(vNormal))
-    {
-        return true;
-    }
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-        if (separates(uNormal.cross(u[next(k)] - u[k])) ||
-            separates(vNormal.cross(v[next(k)] - v[k])))
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// A plane through the one shared corner with the rest of the triangles surely on either side.
-bool surelyFanned(const Corners& a, const Corners& b)
-{
-    const Eigen::Vector3d a1 = a[1] - a[0], a2 = a[2] - a[0];
-    const Eigen::Vector3d b1 = b[1] - a[0], b2 = b[2] - a[0];
-    const Eigen::Vector3d axis = (a1 + a2).normalized() - (b1 + b2).normalized();
-    const auto beyond = [&](const Eigen::Vector3d& p, double sign)
-    { return sign * axis.dot(p) > kShadowRounding * p.lpNorm<1>(); };
-    return beyond(a1, 1) && beyond(a2, 1) && beyond(b1, -1) && beyond(b2, -1);
-}
-
 /// The part of an edge within the triangle, as two points.
 class CommonPoints
 {
@@ -250,10 +197,6 @@ bool hasArea(const Corners& triangle)
 bool trianglesCross(const TrianglePair& pair)
 {
     const auto& [a, b, shared] = pair;
-    if ((shared == 0 && surelyApart(a, b)) || (shared == 1 && surelyFanned(a, b)))
-    {
-        return false;
-    }
     const std::array<int, 3> bSides = sidesOf(a, b, shared);
     if (shared < 3 && onOneSide(bSides, shared))
     {

@@ -4,7 +4,6 @@
 #include "mesh/triangle_shape.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace frostfill
 {
@@ -40,27 +39,25 @@ bool cancels(std::span<const EdgeUse> uses)
     return 2 * static_cast<std::size_t>(forward) == uses.size();
 }
 
+// In buckets by the lower vertex: most hold a few sides, which are soon sorted.
 EdgeTable::EdgeTable(const TriangleMesh& mesh)
-    : triangles_(mesh.triangles.size()), ends_(mesh.vertices.size() + 1, 0)
+    : triangles_(mesh.triangles.size()),
+      sides_(mesh.vertices.size(), [&](auto&& enter) { forEachSide(mesh, enter); })
 {
-    // In buckets by the lower vertex: most hold a few sides, which are soon sorted.
-    forEachSide(mesh, [&](std::uint32_t low, Side) { ++ends_[low]; });
-    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
-    sides_.resize(ends_.back());
-    forEachSide(mesh, [&](std::uint32_t low, Side side) { sides_[--ends_[low]] = side; });
-    for (std::size_t low = 0; low + 1 < ends_.size(); ++low)
+    for (std::size_t low = 0; low < sides_.size(); ++low)
     {
-        std::sort(sides_.begin() + ends_[low], sides_.begin() + ends_[low + 1]);
+        const std::span<Side> sides = sides_[low];
+        std::sort(sides.begin(), sides.end());
     }
 }
 
 std::vector<EdgeUse> EdgeTable::find(std::uint32_t a, std::uint32_t b) const
 {
     const auto [low, high] = std::minmax(a, b);
-    const auto end = sides_.begin() + ends_[low + 1];
+    const std::span<const Side> sides = sides_[low];
     std::vector<EdgeUse> uses;
-    for (auto side = std::lower_bound(sides_.begin() + ends_[low], end, Side{high} << 32);
-         side != end && highOf(*side) == high; ++side)
+    for (auto side = std::lower_bound(sides.begin(), sides.end(), Side{high} << 32);
+         side != sides.end() && highOf(*side) == high; ++side)
     {
         uses.push_back(unpacked(low, *side));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
+
 #include <frostfill/mesh.hpp>
 
 #include <array>
@@ -37,12 +39,13 @@ public:
     {
         std::array<EdgeUse, 2> two; // as nearly always
         std::vector<EdgeUse> more;
-        for (std::uint32_t low = 0; low + 1 < ends_.size(); ++low)
+        for (std::uint32_t low = 0; low < sides_.size(); ++low)
         {
-            for (std::size_t side = ends_[low]; side < ends_[low + 1];)
+            const std::span<const Side> sides = sides_[low];
+            for (std::size_t side = 0; side < sides.size();)
             {
                 const std::size_t first = side++;
-                while (side < ends_[low + 1] && highOf(sides_[side]) == highOf(sides_[first]))
+                while (side < sides.size() && highOf(sides[side]) == highOf(sides[first]))
                 {
                     ++side;
                 }
@@ -51,7 +54,7 @@ public:
                 EdgeUse* uses = count > 2 ? more.data() : two.data();
                 for (std::size_t k = 0; k < count; ++k)
                 {
-                    uses[k] = unpacked(low, sides_[first + k]);
+                    uses[k] = unpacked(low, sides[first + k]);
                 }
                 visit(std::span<const EdgeUse>(uses, count));
             }
@@ -83,8 +86,7 @@ private:
     }
 
     std::size_t triangles_ = 0;
-    std::vector<std::uint32_t> ends_; ///< [#V + 1] where the sides of each lower vertex begin
-    std::vector<Side> sides_;         ///< by lower vertex, sorted
+    Buckets<Side> sides_; ///< by lower vertex, sorted
 };
 
 } // namespace frostfill

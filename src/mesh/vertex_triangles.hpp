@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <frostfill/mesh.hpp>
-
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <vector>
+#include "base/buckets.hpp"
+#include "mesh/triangle_shape.hpp"
 
 namespace frostfill
 {
@@ -15,17 +11,30 @@ namespace frostfill
 class VertexTriangles
 {
 public:
-    explicit VertexTriangles(const TriangleMesh& mesh);
+    explicit VertexTriangles(const TriangleMesh& mesh)
+        : triangles_(mesh.vertices.size(),
+                     [&](auto&& enter)
+                     {
+                         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+                         {
+                             const Triangle& corners = mesh.triangles[t];
+                             for (std::size_t k = 0; k < 3 && !repeatsCorner(corners); ++k)
+                             {
+                                 enter(corners[k], t);
+                             }
+                         }
+                     })
+    {
+    }
 
-    [[nodiscard]] std::size_t vertices() const { return starts_.size() - 1; }
+    [[nodiscard]] std::size_t vertices() const { return triangles_.size(); }
     [[nodiscard]] std::span<const std::uint32_t> at(std::size_t vertex) const
     {
-        return {triangles_.data() + starts_[vertex], starts_[vertex + 1] - starts_[vertex]};
+        return triangles_[vertex];
     }
 
 private:
-    std::vector<std::uint32_t> starts_; ///< [#V + 1]
-    std::vector<std::uint32_t> triangles_;
+    Buckets<std::uint32_t> triangles_;
 };
 
 } // namespace frostfill

@@ -18,7 +18,7 @@ set(mesh mesh mesh/interior mesh/skin mesh/repair mesh/files)
 room(base)
 room(geometry base)
 room(oracle geometry) # of studies and tests alone
-room(mesh)
+room(mesh base)
 room(mesh/interior base mesh geometry)
 room(mesh/skin mesh geometry base)
 room(mesh/repair mesh mesh/interior mesh/skin geometry)

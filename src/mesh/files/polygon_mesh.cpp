@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/polygon_mesh.hpp"
 
-#include "mesh/files/polygon_cutter.hpp"
+#include "mesh/polygon_cutter.hpp"
 
 namespace frostfill
 {

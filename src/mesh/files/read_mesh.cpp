@@ -6,8 +6,8 @@
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
 #include "mesh/files/unpack.hpp"
-#include "mesh/repair/find_invalid_data.hpp"
-#include "mesh/repair/weld.hpp"
+#include "mesh/repair/clean_mesh.hpp"
+#include "mesh/repair/stitch_seams.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -5,7 +5,7 @@
 #include "mesh/files/mesh_files.hpp"
 #include "mesh/files/sandbox.hpp"
 #include "mesh/files/unpack.hpp"
-#include "mesh/repair/find_invalid_data.hpp"
+#include "mesh/repair/clean_mesh.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>

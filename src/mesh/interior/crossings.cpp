@@ -2,21 +2,97 @@
 #include "mesh/interior/crossings.hpp"
 
 #include "geometry/triangle_pair.hpp"
-#include "mesh/interior/fan_sweep.hpp"
-#include "mesh/interior/spread_fan.hpp"
 #include "mesh/triangle_shape.hpp"
+
+#include <frostfill/mesh.hpp>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 namespace frostfill
 {
 namespace
 {
+
+/// [1] Margin of a box for the rounding of unit vectors. Smaller: arcs that meet are missed.
+constexpr double kRounding = 1e-14;
+
+Eigen::AlignedBox3d boxOfArc(const TriangleMesh& mesh, std::uint32_t triangle, std::uint32_t vertex)
+{
+    const auto& t = mesh.triangles[triangle];
+    const std::size_t corner = t[0] == vertex ? 0 : (t[1] == vertex ? 1 : 2);
+    const Eigen::Vector3d& from = mesh.vertices[vertex];
+    const Eigen::Vector3d u = (mesh.vertices[t[(corner + 1) % 3]] - from).normalized();
+    const Eigen::Vector3d v = (mesh.vertices[t[(corner + 2) % 3]] - from).normalized();
+    // How far the arc rises above its chord.
+    const double rise = std::max(0.0, 1 - (u + v).norm() / 2) + kRounding;
+    return {u.cwiseMin(v).array() - rise, u.cwiseMax(v).array() + rise};
+}
+
+/// Finds which triangles at a vertex may meet elsewhere too. Seen from the vertex a triangle is an
+/// arc on the unit sphere, and two triangles meet exactly if their arcs do. Boxes around the arcs
+/// of needles are small, though the boxes around the needles themselves all overlap.
+class FanSweep
+{
+public:
+    /// Calls visit(one, other) once for each pair of `triangles` whose arcs have boxes that meet.
+    /// All triangles have the vertex as a corner.
+    template <class Visit>
+    void forEachPair(const TriangleMesh& mesh, std::uint32_t vertex,
+                     std::span<const std::uint32_t> triangles, Visit&& visit)
+    {
+        const int axis = sortArcs(mesh, vertex, triangles);
+        for (std::size_t i = 0; i < arcs_.size(); ++i)
+        {
+            const Arc& arc = arcs_[i];
+            for (std::size_t j = i + 1;
+                 j < arcs_.size() && arcs_[j].box.min()[axis] <= arc.box.max()[axis]; ++j)
+            {
+                if (arc.box.intersects(arcs_[j].box))
+                {
+                    visit(arc.triangle, arcs_[j].triangle);
+                }
+            }
+        }
+    }
+
+private:
+    struct Arc
+    {
+        Eigen::AlignedBox3d box; ///< of directions
+        std::uint32_t triangle = 0;
+    };
+
+    /// Sorts the arcs along the axis on which they spread most. Returns that axis.
+    int sortArcs(const TriangleMesh& mesh, std::uint32_t vertex,
+                 std::span<const std::uint32_t> triangles)
+    {
+        arcs_.clear();
+        Eigen::AlignedBox3d whole;
+        for (const std::uint32_t triangle : triangles)
+        {
+            arcs_.push_back({boxOfArc(mesh, triangle, vertex), triangle});
+            whole.extend(arcs_.back().box.center());
+        }
+        int axis = 0;
+        whole.sizes().maxCoeff(&axis);
+        std::sort(arcs_.begin(), arcs_.end(),
+                  [=](const Arc& a, const Arc& b) {
+                      return std::tie(a.box.min()[axis], a.triangle) <
+                             std::tie(b.box.min()[axis], b.triangle);
+                  });
+        return axis;
+    }
+
+    std::vector<Arc> arcs_; // kept for its memory
+};
 
 /// Two triangles with the vertices that they share in front.
 TrianglePair pairOf(const TriangleMesh& mesh, std::uint32_t one, std::uint32_t other)
@@ -330,6 +406,91 @@ Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around,
                         const TriangleTree& tree, Threads& threads)
 {
     return CrossingSearch(mesh, tree, threads).run(around);
+}
+
+namespace
+{
+
+constexpr std::size_t kMax = 16; // triangles; beyond, all against all costs more than a sweep
+
+/// [1] Share of the product of the lengths by which a determinant must differ from 0. Larger: more
+/// fans are tested pair by pair. Below some 10 roundings of 1e-16: a fold is taken for a fan.
+constexpr double kSurely = 1e-13;
+
+struct Wedge
+{
+    std::uint32_t from = 0; ///< vertex
+    std::uint32_t to = 0;   ///< vertex
+    Eigen::Vector3d u, v;   ///< from the common vertex to both
+    Eigen::Vector3d normal; ///< u x v
+    double uLength = 0, vLength = 0;
+};
+
+Wedge wedgeOf(const TriangleMesh& mesh, std::uint32_t vertex, std::uint32_t triangle)
+{
+    const auto& t = mesh.triangles[triangle];
+    const std::size_t corner = t[0] == vertex ? 0 : (t[1] == vertex ? 1 : 2);
+    Wedge wedge;
+    wedge.from = t[(corner + 1) % 3];
+    wedge.to = t[(corner + 2) % 3];
+    wedge.u = mesh.vertices[wedge.from] - mesh.vertices[vertex];
+    wedge.v = mesh.vertices[wedge.to] - mesh.vertices[vertex];
+    wedge.normal = wedge.u.cross(wedge.v);
+    wedge.uLength = wedge.u.norm();
+    wedge.vLength = wedge.v.norm();
+    return wedge;
+}
+
+/// Each wedge ends where exactly one begins, so the wedges form closed fans.
+bool areClosed(std::span<const Wedge> wedges)
+{
+    return std::all_of(wedges.begin(), wedges.end(),
+                       [&](const Wedge& wedge)
+                       {
+                           return std::count_if(wedges.begin(), wedges.end(),
+                                                [&](const Wedge& next)
+                                                { return next.from == wedge.to; }) == 1;
+                       });
+}
+
+} // namespace
+
+bool isSpreadFan(const TriangleMesh& mesh, std::uint32_t vertex,
+                 std::span<const std::uint32_t> triangles)
+{
+    if (triangles.empty() || triangles.size() > kMax)
+    {
+        return false;
+    }
+    std::array<Wedge, kMax> all;
+    Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+        all[i] = wedgeOf(mesh, vertex, triangles[i]);
+        axis += all[i].normal;
+    }
+    const std::span wedges(all.data(), triangles.size());
+    const double axisLength = axis.norm();
+    const auto turnsForward = [&](const Wedge& w)
+    { return w.normal.dot(axis) > kSurely * w.uLength * w.vLength * axisLength; };
+    if (!std::all_of(wedges.begin(), wedges.end(), turnsForward) || !areClosed(wedges))
+    {
+        return false;
+    }
+
+    // Closed and never backwards: every direction about the axis is in equally many wedges. One
+    // direction in the first wedge is in no other, so that is one.
+    const Eigen::Vector3d middle =
+        wedges[0].u / wedges[0].uLength + wedges[0].v / wedges[0].vLength;
+    const Eigen::Vector3d across = middle.cross(axis);
+    const double margin = kSurely * 2 * axisLength;
+    return std::all_of(wedges.begin() + 1, wedges.end(),
+                       [&](const Wedge& w)
+                       {
+                           // det(axis, u, middle) = u . (middle x axis)
+                           return w.u.dot(across) < -margin * w.uLength ||
+                                  w.v.dot(across) > margin * w.vLength;
+                       });
 }
 
 } // namespace frostfill

@@ -4,7 +4,11 @@
 #include "mesh/interior/triangle_tree.hpp"
 #include "mesh/vertex_triangles.hpp"
 
+#include <frostfill/mesh.hpp>
+
 #include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -28,5 +32,12 @@ struct Crossings
 /// by side.
 [[nodiscard]] Crossings findCrossings(const TriangleMesh& mesh, const VertexTriangles& around,
                                       const TriangleTree& tree, Threads& threads);
+
+/// Whether the triangles at a vertex surely meet nowhere but at their common corners and edges:
+/// they form one closed fan which, seen along the mean of their normals, turns about the vertex
+/// once and never backwards. Seen so they lie side by side. Answers no where rounding could matter,
+/// and for more than a dozen or so triangles. All triangles have the vertex as a corner.
+[[nodiscard]] bool isSpreadFan(const TriangleMesh& mesh, std::uint32_t vertex,
+                               std::span<const std::uint32_t> triangles);
 
 } // namespace frostfill

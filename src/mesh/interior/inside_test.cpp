@@ -186,10 +186,6 @@ InsideTest::InsideTest(const Surface& surface, const TriangleGrid& grid)
     : surface_(&surface), grid_(&grid), winding_(surface.mesh()),
       far_(grid.cells().bricks().count()), cellInside_(grid.cells().size(), false)
 {
-    if (surface.anyTwoSided())
-    {
-        markTwoSided();
-    }
     Flood(*this).run();
 }
 
@@ -298,6 +294,28 @@ bool InsideTest::isInsideFarFromSurface(const Eigen::Vector3d& p) const
         }
     }
     return isInsideByWinding(p);
+}
+
+bool InsideTest::isNearTwoSided(const Eigen::Vector3d& p) const
+{
+    const auto isTwoSided = [this](std::uint32_t id) { return (*surface_)[id].twoSided; };
+    if (!surface_->anyTwoSided())
+    {
+        return false;
+    }
+    const std::span<const std::uint32_t> all = grid_->near(p);
+    if (all.size() <= TriangleGrid::kShortList)
+    {
+        return std::any_of(all.begin(), all.end(), isTwoSided);
+    }
+    bool isNear = false; // once one is, the others of its leaf come, too
+    surface_->tree().forEachTriangleNear(p, reach(),
+                                         [&](std::uint32_t id)
+                                         {
+                                             isNear = isTwoSided(id) || isNear;
+                                             return isNear ? -1 : reach();
+                                         });
+    return isNear;
 }
 
 } // namespace frostfill

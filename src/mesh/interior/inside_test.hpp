@@ -3,7 +3,6 @@
 
 #include "mesh/interior/triangle_grid.hpp"
 #include "mesh/interior/winding_columns.hpp"
-#include "mesh/interior/winding_number.hpp"
 
 #include <array>
 #include <limits>
@@ -76,7 +75,6 @@ public:
     [[nodiscard]] double reach() const { return grid_->reach(); }
 
 private:
-    void markTwoSided();
     [[nodiscard]] bool isNearTwoSided(const Eigen::Vector3d& p) const;
     [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
     using Cell = GridPlace;
@@ -109,8 +107,6 @@ private:
     BrickTable far_;               ///< bricks inside, and those beside the surface
     std::vector<Side> farSide_;    ///< [#far_]
     std::vector<bool> cellInside_; ///< [#cells of the grid]
-    /// Cells that have two-sided triangles. [#cells of the grid, or none where no triangle is]
-    std::vector<bool> hasTwoSided_;
 };
 
 } // namespace frostfill

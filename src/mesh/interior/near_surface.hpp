@@ -1,31 +1,179 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/group_rows.hpp"
-#include "mesh/interior/triangle_rows.hpp"
+#include "base/threads.hpp"
+#include "geometry/cell_rows.hpp"
+#include "geometry/grid_frame.hpp"
+#include "mesh/interior/surface.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+/// Which cells of a grid are near a surface.
 namespace frostfill
 {
 
-/// Finds the cells of a grid whose middle is within `distance` of some triangles that lie side by
-/// side, or of one. Calls visit(y, z, run, isNear) for rows with a run of cells that may be, of
-/// which isNear(x) tells. Of one triangle only rows that are worth it: next(y, z, last, most), as
-/// of TriangleRows.
+/// By which a distance may be wrong, a thousandfold. [1]
+inline constexpr double kDistanceRounding = 1e-9;
+
+/// Triangles that lie side by side, or one.
+struct TriangleGroup
+{
+    std::span<const std::uint32_t> triangles;
+    Eigen::AlignedBox3d box; ///< around them
+};
+
+/// Calls visit(group) for some triangles of a surface, in their order. Those that are small ask
+/// together what they are near: a group is no longer than `longest`, unless it is one triangle.
+/// Larger: more of what is asked for a group has to be asked for each of its triangles.
+template <class Visit>
+void forEachGroup(const Surface& surface, std::span<const std::uint32_t> triangles, double longest,
+                  Visit&& visit)
+{
+    TriangleGroup group{triangles, {}};
+    for (const std::uint32_t t : triangles)
+    {
+        const auto& [a, b, c] = surface[t].corner;
+        group.box.extend(a).extend(b).extend(c);
+    }
+    if (triangles.size() == 1 || group.box.sizes().maxCoeff() <= longest)
+    {
+        visit(group);
+        return;
+    }
+    forEachGroup(surface, triangles.first(triangles.size() / 2), longest, visit);
+    forEachGroup(surface, triangles.subspan(triangles.size() / 2), longest, visit);
+}
+/// The same for all triangles, in the order of the surface's tree, on several threads.
+template <class Visit>
+void forEachGroup(const Surface& surface, double longest, Threads& threads, Visit&& visit)
+{
+    constexpr std::size_t kTogether = 16; // in the tree, among which groups are looked for
+    const std::span<const std::uint32_t> order = surface.tree().order();
+    threads.forEach((order.size() + kTogether - 1) / kTogether,
+                    [&](std::size_t part)
+                    {
+                        const auto left = order.subspan(part * kTogether);
+                        forEachGroup(surface, left.first(std::min(kTogether, left.size())), longest,
+                                     visit);
+                    });
+}
+/// The same on one.
+template <class Visit>
+void forEachGroup(const Surface& surface, double longest, Visit&& visit)
+{
+    Threads one(1);
+    forEachGroup(surface, longest, one, visit);
+}
+
+/// Whether points are within `reach` of a group of triangles. Its box decides of most, and the
+/// triangles' planes; the nearest of their points is looked for where those do not.
+class NearGroup
+{
+public:
+    NearGroup(const Surface& surface, const TriangleGroup& group, double reach)
+        : surface_(surface), group_(group), reach_(reach),
+          surelyOut_((1 + kDistanceRounding) * reach),
+          surelyIn_(std::max(0.0, (1 - kDistanceRounding) * reach))
+    {
+    }
+
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p) const
+    {
+        const Eigen::AlignedBox3d& box = group_.box;
+        return box.squaredExteriorDistance(p) <= surelyOut_ * surelyOut_ &&
+               ((p - box.min()).cwiseAbs().cwiseMax((p - box.max()).cwiseAbs()).squaredNorm() <=
+                    surelyIn_ * surelyIn_ ||
+                std::any_of(group_.triangles.begin(), group_.triangles.end(),
+                            [&](std::uint32_t t) { return isNear(t, p); }));
+    }
+    /// Of one triangle.
+    [[nodiscard]] bool isNear(std::uint32_t triangle, const Eigen::Vector3d& p) const
+    {
+        const TriangleBound& bound = surface_.bound(triangle);
+        const auto& [a, b, c] = surface_[triangle].corner;
+        return bound.toCentreSquared(p) <= surelyIn_ * surelyIn_ ||
+               (bound.mayBeWithin(surelyOut_, p) &&
+                (closestPointOnTriangle(p, a, b, c).point - p).squaredNorm() <= reach_ * reach_);
+    }
+
+private:
+    const Surface& surface_;
+    const TriangleGroup& group_;
+    double reach_;
+    double surelyOut_;
+    double surelyIn_;
+};
+
+/// Cells of a grid, both ends included.
+struct CellRange
+{
+    Eigen::Array3i low, high;
+};
+
+/// Finds the cells of a grid whose middle is within `distance` of a group of triangles. Calls
+/// visit(y, z, run, isNear) for rows with a run of cells that may be, of which isNear(x) tells; a
+/// row may come in several runs. Only rows that are worth it: next(y, z, last, run) is the first
+/// from z to `last` that is, or last + 1.
 template <class Visit, class Next = EveryRow>
 void forEachRunNear(const GridFrame& frame, const Surface& surface, const TriangleGroup& group,
                     double distance, Visit&& visit, Next&& next = {})
 {
-    if (group.triangles.size() > 1)
+    constexpr int kFewCells = 8; // along an axis, up to which a range is not halved
+    const NearGroup near(surface, group, distance);
+    const auto visitRows = [&](const CellRange& range)
     {
-        const GroupRows rows(frame, surface, group, distance);
-        rows.forEach([&](int y, int z, CellRun run)
-                     { visit(y, z, run, [&](int x) { return rows.near(x, y, z); }); });
-        return;
+        const CellRun run{range.low[0], range.high[0]};
+        for (int y = range.low[1]; y <= range.high[1]; ++y)
+        {
+            for (int z = range.low[2]; (z = next(y, z, range.high[2], run)) <= range.high[2]; ++z)
+            {
+                visit(y, z, run, [&](int x) { return near.contains(frame.centre(x, y, z)); });
+            }
+        }
+    };
+    // A half that the triangle is not near is left out: the box of a long triangle has far more
+    // cells than are near it.
+    const auto visitHalves = [&](auto&& self, const CellRange& range) -> void
+    {
+        int axis = 0;
+        const int longest = (range.high - range.low + 1).maxCoeff(&axis);
+        if (group.triangles.size() > 1 || longest <= kFewCells)
+        {
+            visitRows(range);
+            return;
+        }
+        CellRange lower = range;
+        CellRange upper = range;
+        lower.high[axis] = range.low[axis] + longest / 2 - 1;
+        upper.low[axis] = lower.high[axis] + 1;
+        for (const CellRange& half : {lower, upper})
+        {
+            // Every middle of a cell in the half is nearer to its middle than this.
+            const Eigen::Vector3d sides = frame.cell * (half.high - half.low + 1).cast<double>();
+            const Eigen::Vector3d middle =
+                frame.origin + frame.cell * half.low.cast<double>().matrix() + sides / 2;
+            if (NearGroup(surface, group, distance + sides.norm() / 2).contains(middle))
+            {
+                self(self, half);
+            }
+        }
+    };
+    CellRange all{};
+    const double far = distance + kFilterRounding * frame.cell;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        const auto [first, last] =
+            frame.centresWithin(axis, group.box.min()[axis] - far, group.box.max()[axis] + far);
+        all.low[axis] = first;
+        all.high[axis] = last;
     }
-    const TriangleRows rows(frame, surface, group.triangles[0], distance);
-    rows.forEach([&](int y, int z, CellRun most)
-                 { visit(y, z, rows.run(y, z, most), [&](int x) { return rows.near(x, y, z); }); },
-                 next);
+    if (distance >= 0 && (all.low <= all.high).all())
+    {
+        visitHalves(visitHalves, all);
+    }
 }
 
 } // namespace frostfill

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/thickness.hpp"
 
-#include "mesh/interior/winding_tree.hpp"
+#include "mesh/interior/winding_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,6 @@ struct SurfaceSample
 {
     Eigen::Vector3d point;
     Eigen::Vector3d outward; ///< unit normal
-    std::uint32_t triangle;
 };
 
 /// A ball that touches the surface from inside.
@@ -70,7 +69,7 @@ std::vector<SurfaceSample> spread(const TriangleMesh& mesh, std::size_t count)
             const auto& [a, b, c] = mesh.triangles[t];
             places.push_back({mesh.vertices[a] + u * (mesh.vertices[b] - mesh.vertices[a]) +
                                   v * (mesh.vertices[c] - mesh.vertices[a]),
-                              twice.normalized(), t});
+                              twice.normalized()});
         }
     }
     return places;
@@ -130,20 +129,20 @@ private:
 template <class Visit>
 void forEachSide(const TriangleMesh& mesh, std::size_t samples, bool onlyBehind, Visit&& visit)
 {
-    std::optional<WindingTree> winding;
+    std::optional<WindingColumns> winding;
     if (!onlyBehind)
     {
         winding.emplace(mesh);
     }
     for (const SurfaceSample& place : spread(mesh, samples))
     {
-        // Of both sides: that in front has 1/2 less, that behind 1/2 more.
-        const double mean = winding ? winding->at(place.point, place.triangle) : 0.5;
-        if (mean > 0)
+        const auto [front, behind] =
+            winding ? winding->sidesOf(place.point, place.outward) : WindingColumns::Sides{0, 1};
+        if (behind > 0)
         {
             visit(place, -place.outward);
         }
-        if (mean > 1)
+        if (front > 0)
         {
             visit(place, place.outward);
         }

@@ -77,6 +77,13 @@ public:
     template <class Visit>
     void forEachTriangleOnWay(std::span<const std::uint32_t> nodes, const Eigen::Vector3d& from,
                               const Eigen::Vector3d& to, double distance, Visit&& visit) const;
+    /// The same of all triangles.
+    template <class Visit>
+    void forEachTriangleOnWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                              double distance, Visit&& visit) const
+    {
+        forEachTriangleOnWay(kRoot, from, to, distance, visit);
+    }
 
     /// The triangles that may be within `distance` of p, ascending, in place of what `found` had.
     void findNear(const Eigen::Vector3d& p, double distance,

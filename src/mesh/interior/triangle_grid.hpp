@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
 #include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/surface.hpp"
@@ -74,8 +75,7 @@ public:
     /// The same as cell(), by its number.
     [[nodiscard]] std::span<const std::uint32_t> ofCell(std::size_t number) const
     {
-        const std::uint32_t* start = starts_.data() + number;
-        return {ids_.data() + start[0], start[1] - start[0]};
+        return lists_[number];
     }
 
     /// Calls visit(x, y, z) for each cell with triangles, brick by brick.
@@ -93,14 +93,11 @@ public:
     }
 
 private:
-    class Builder;
-
     const Surface* surface_;
     GridFrame frame_;
     double reach_;
     Cells cells_;
-    std::vector<std::uint32_t> starts_; ///< [#cells_ + 1]
-    std::vector<std::uint32_t> ids_;
+    Buckets<std::uint32_t> lists_; ///< of triangles, by cell
 };
 
 } // namespace frostfill

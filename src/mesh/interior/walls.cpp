@@ -3,11 +3,11 @@
 
 #include "geometry/triangle_pair.hpp"
 #include "mesh/interior/crossings.hpp"
-#include "mesh/interior/edge_twins.hpp"
-#include "mesh/interior/winding_tree.hpp"
+#include "mesh/interior/winding_columns.hpp"
 #include "mesh/vertex_triangles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 
@@ -15,6 +15,59 @@ namespace frostfill
 {
 namespace
 {
+
+/// For each side of a triangle, the side of the neighbour that runs the other way. Side k of
+/// triangle t has the number 3 t + k and runs from corner k to corner k + 1.
+class EdgeTwins
+{
+public:
+    /// In place of a twin at an edge that has not exactly two sides, one in each direction.
+    static constexpr std::uint32_t kNone = 0xffffffff;
+
+    explicit EdgeTwins(const EdgeTable& edges) : twins_(3 * edges.triangles(), kNone)
+    {
+        edges.forEach(
+            [&](std::span<const EdgeUse> uses)
+            {
+                if (uses.size() == 2 && cancels(uses))
+                {
+                    const std::array sides = {3 * uses[0].triangle + uses[0].corner,
+                                              3 * uses[1].triangle + uses[1].corner};
+                    twins_[sides[0]] = sides[1];
+                    twins_[sides[1]] = sides[0];
+                }
+            });
+    }
+
+    [[nodiscard]] std::uint32_t operator[](std::size_t side) const { return twins_[side]; }
+
+    /// Whether the triangles at a vertex form one closed fan. If not, the surface touches itself
+    /// there, or has an edge without twins.
+    [[nodiscard]] bool isOneFan(const TriangleMesh& mesh, std::uint32_t vertex,
+                                std::span<const std::uint32_t> triangles) const
+    {
+        const std::uint32_t first = triangles[0];
+        std::uint32_t triangle = first;
+        std::size_t passed = 0;
+        do
+        {
+            // The next triangle of the fan is across the side that ends at the vertex.
+            const auto& t = mesh.triangles[triangle];
+            const std::uint32_t before = t[0] == vertex ? 2 : (t[1] == vertex ? 0 : 1);
+            const std::uint32_t twin = twins_[3 * triangle + before];
+            if (twin == kNone)
+            {
+                return false;
+            }
+            triangle = twin / 3;
+            ++passed;
+        } while (triangle != first);
+        return passed == triangles.size();
+    }
+
+private:
+    std::vector<std::uint32_t> twins_; ///< [3 #T]
+};
 
 using Flags = std::vector<bool>; ///< [#T]
 
@@ -77,7 +130,7 @@ std::vector<Patch> findPatches(const EdgeTwins& twins, const Flags& flags)
 
 /// Whether a patch has the winding number 0 in front and 1 behind. Nothing passes through it, so
 /// one place speaks for all. The largest triangle is the safest from rounding.
-bool partsOutsideFromInside(const TriangleMesh& mesh, const WindingTree& winding,
+bool partsOutsideFromInside(const TriangleMesh& mesh, const WindingColumns& winding,
                             const Patch& patch)
 {
     const auto twiceArea = [&](std::uint32_t triangle)
@@ -100,8 +153,11 @@ bool partsOutsideFromInside(const TriangleMesh& mesh, const WindingTree& winding
     const auto& t = mesh.triangles[largest];
     const Eigen::Vector3d centroid =
         (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
-    const double mean = winding.at(centroid, largest); // of the winding numbers on both sides
-    return mean > 0 && mean < 1;
+    const Eigen::Vector3d outward = (mesh.vertices[t[1]] - mesh.vertices[t[0]])
+                                        .cross(mesh.vertices[t[2]] - mesh.vertices[t[0]])
+                                        .stableNormalized();
+    const auto [front, behind] = winding.sidesOf(centroid, outward);
+    return front == 0 && behind == 1;
 }
 
 void flagNeighbours(const TriangleMesh& mesh, Flags& flags)
@@ -150,7 +206,7 @@ Walls classifyWalls(const TriangleMesh& mesh, const MeshIndex& index)
     const std::vector<Patch> patches = findPatches(twins, walls.twoSided);
     if (patches.size() > 1 || countOf(walls.twoSided) > 0)
     {
-        const WindingTree winding(mesh);
+        const WindingColumns winding(mesh);
         for (const Patch& patch : patches)
         {
             if (!partsOutsideFromInside(mesh, winding, patch))

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace frostfill
 {
@@ -16,6 +15,10 @@ namespace
 /// memory where triangles are large.
 constexpr double kColumnsPerTriangle = 0.5;
 constexpr double kMaxColumns = 512;
+
+/// [1] Of the size of the mesh and its distance from the origin, which is far above rounding.
+/// Larger: a wall close by is passed.
+constexpr double kBeside = 1e-12;
 
 /// orient2d for a ray that passes by p as if moved by an infinitely small (e, e^2), so that it
 /// meets no corner and no edge [Edelsbrunner & Muecke 1990].
@@ -39,7 +42,7 @@ WindingColumns::WindingColumns(const TriangleMesh& mesh) : mesh_(&mesh), box_(bo
 {
     if (mesh.triangles.empty())
     {
-        starts_ = {0, 0};
+        columns_ = Buckets<std::uint32_t>(1, [](auto&&) {});
         return;
     }
     int along = 0; // few walls lie one behind the other along the shortest side
@@ -58,34 +61,26 @@ WindingColumns::WindingColumns(const TriangleMesh& mesh) : mesh_(&mesh), box_(bo
                        return std::array{static_cast<std::uint16_t>(columnOf(at.x(), 0)),
                                          static_cast<std::uint16_t>(columnOf(at.y(), 1))};
                    });
-    const auto forEachColumn = [&](const std::array<std::uint32_t, 3>& triangle, auto&& visit)
+    const auto enterAll = [&](auto&& enter)
     {
-        const auto& [a, b, c] = triangle;
-        const auto [firstX, lastX] = std::minmax({ofVertex[a][0], ofVertex[b][0], ofVertex[c][0]});
-        const auto [firstY, lastY] = std::minmax({ofVertex[a][1], ofVertex[b][1], ofVertex[c][1]});
-        for (std::size_t y = firstY; y <= lastY; ++y)
+        for (std::uint32_t id = 0; id < mesh.triangles.size(); ++id)
         {
-            for (std::size_t x = firstX; x <= lastX; ++x)
+            const auto& [a, b, c] = mesh.triangles[id];
+            const auto [firstX, lastX] =
+                std::minmax({ofVertex[a][0], ofVertex[b][0], ofVertex[c][0]});
+            const auto [firstY, lastY] =
+                std::minmax({ofVertex[a][1], ofVertex[b][1], ofVertex[c][1]});
+            for (std::size_t y = firstY; y <= lastY; ++y)
             {
-                visit(y * static_cast<std::size_t>(count_[0]) + x);
+                for (std::size_t x = firstX; x <= lastX; ++x)
+                {
+                    enter(y * static_cast<std::size_t>(count_[0]) + x, id);
+                }
             }
         }
     };
-
-    // Count, sum up the ends of the columns, and fill each from its end.
-    starts_.assign(static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]) + 1,
-                   0);
-    for (const auto& triangle : mesh.triangles)
-    {
-        forEachColumn(triangle, [this](std::size_t column) { ++starts_[column]; });
-    }
-    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
-    ids_.resize(starts_.back());
-    for (auto id = static_cast<std::uint32_t>(mesh.triangles.size()); id-- > 0;)
-    {
-        forEachColumn(mesh.triangles[id],
-                      [&](std::size_t column) { ids_[--starts_[column]] = id; });
-    }
+    columns_ = Buckets<std::uint32_t>(
+        static_cast<std::size_t>(count_[0]) * static_cast<std::size_t>(count_[1]), enterAll);
 }
 
 int WindingColumns::columnOf(double coordinate, std::size_t k) const
@@ -103,16 +98,25 @@ int WindingColumns::at(const Eigen::Vector3d& p) const
     {
         return 0;
     }
-    const Eigen::Vector2d q = flat(p);
-    const auto column =
-        static_cast<std::size_t>(columnOf(q.y(), 1)) * static_cast<std::size_t>(count_[0]) +
-        static_cast<std::size_t>(columnOf(q.x(), 0));
     int winding = 0;
-    for (std::uint32_t k = starts_[column]; k < starts_[column + 1]; ++k)
-    {
-        winding += passage(mesh_->triangles[ids_[k]], p);
-    }
+    forEachPassage(p,
+                   [&](std::uint32_t id, int change)
+                   {
+                       // Counter-clockwise seen from the ray's end, a triangle is left through
+                       // where p is behind it.
+                       const auto& [a, b, c] = mesh_->triangles[id];
+                       const int side =
+                           orient3d(mesh_->vertices[a], mesh_->vertices[b], mesh_->vertices[c], p);
+                       winding += side == -change ? change : 0;
+                   });
     return winding;
+}
+
+WindingColumns::Sides WindingColumns::sidesOf(const Eigen::Vector3d& p,
+                                              const Eigen::Vector3d& outward) const
+{
+    const double step = kBeside * (box_.diagonal().norm() + p.norm());
+    return {at(p + step * outward), at(p - step * outward)};
 }
 
 // By how much the winding number is larger before the ray from p passes a triangle than after.
@@ -134,8 +138,7 @@ int WindingColumns::passage(const std::array<std::uint32_t, 3>& triangle,
     {
         return 0;
     }
-    // Counter-clockwise seen from the ray's end, a triangle is left through where p is behind it.
-    return orient3d(a, b, c, p) == -side ? side : 0;
+    return side;
 }
 
 } // namespace frostfill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
+
 #include <frostfill/mesh.hpp>
 
 #include <array>
@@ -9,6 +11,11 @@
 
 namespace frostfill
 {
+
+/// A point is inside where the winding number is larger: halfway between the 0 outside and the 1
+/// inside, which are all that a closed mesh has. A mesh with holes has values in between, and a
+/// larger bound would take more of the space beside its holes for outside [Jacobson et al. 2013].
+inline constexpr double kInsideFrom = 0.5;
 
 /// The winding number of a closed mesh, exactly: a ray from the point counts the walls that it
 /// leaves through, less those that it enters through. The triangles are sorted into columns along
@@ -22,6 +29,30 @@ public:
     /// Of a point that is not on the surface; on it, that of one of the two sides.
     [[nodiscard]] int at(const Eigen::Vector3d& p) const;
 
+    struct Sides
+    {
+        int front;
+        int behind;
+    };
+    /// Just beside a place of the surface whose triangle has the unit normal `outward`.
+    [[nodiscard]] Sides sidesOf(const Eigen::Vector3d& p, const Eigen::Vector3d& outward) const;
+
+    /// The axis along which rays go.
+    [[nodiscard]] int along() const { return 3 - across_[0] - across_[1]; }
+    /// Calls visit(triangle, change) for each wall that the line through p along that axis passes,
+    /// with what it changes the winding number by from beyond it to before it: 1 or -1.
+    template <class Visit>
+    void forEachPassage(const Eigen::Vector3d& p, Visit&& visit) const
+    {
+        for (const std::uint32_t triangle : columns_[columnOf(p)])
+        {
+            if (const int change = passage(mesh_->triangles[triangle], p); change != 0)
+            {
+                visit(triangle, change);
+            }
+        }
+    }
+
 private:
     [[nodiscard]] Eigen::Vector2d flat(const Eigen::Vector3d& p) const
     {
@@ -29,6 +60,12 @@ private:
     }
     /// The column of a coordinate, those beyond the border included.
     [[nodiscard]] int columnOf(double coordinate, std::size_t k) const;
+    [[nodiscard]] std::size_t columnOf(const Eigen::Vector3d& p) const
+    {
+        return static_cast<std::size_t>(columnOf(p[across_[1]], 1)) *
+                   static_cast<std::size_t>(count_[0]) +
+               static_cast<std::size_t>(columnOf(p[across_[0]], 0));
+    }
     [[nodiscard]] int passage(const std::array<std::uint32_t, 3>& triangle,
                               const Eigen::Vector3d& p) const;
 
@@ -36,8 +73,7 @@ private:
     Eigen::AlignedBox3d box_;
     std::array<int, 2> across_ = {1, 2}; ///< axes across the rays
     std::array<int, 2> count_ = {1, 1};  ///< of columns
-    std::vector<std::uint32_t> starts_;  ///< [#columns + 1]
-    std::vector<std::uint32_t> ids_;     ///< triangles by column
+    Buckets<std::uint32_t> columns_;     ///< of triangles
 };
 
 } // namespace frostfill

@@ -1,19 +1,217 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/repair/cavity.hpp"
 
+#include "geometry/closest_point.hpp"
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/components.hpp"
 #include "mesh/repair/orient_mesh.hpp"
 #include "mesh/repair/rims.hpp"
-#include "mesh/skin/enclosed_cells.hpp"
 #include "mesh/triangle_shape.hpp"
+#include "mesh/vertex_triangles.hpp"
+
+#include <frostfill/mesh.hpp>
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
 
 namespace frostfill
 {
 namespace
 {
+
+/// [1] Cubes along the edge of a cube as large as the mesh's box, to tell rooms. Larger: walls and
+/// mouths may be narrower. Smaller: less time; 64 takes ten milliseconds.
+constexpr double kRoomCells = 64;
+/// Of the 26 directions to neighbours, those that end at walls in a room: above the 13 before a
+/// plane, below the 17 at the rim of a cup.
+constexpr int kWallsOfRoom = 16;
+/// [edge of a cube] How far in front of a triangle a free cube is looked for.
+constexpr int kStepsToRoom = 3;
+/// A byte each.
+constexpr double kMaxCells = 16e6;
+/// Cubes looked at, for all triangles: a second.
+constexpr std::size_t kMaxLooks = 100'000'000;
+
+class Cells
+{
+public:
+    Cells(const Eigen::AlignedBox3d& box, double edge) : low_(box.min()), edge_(edge)
+    {
+        const Eigen::Vector3d counts = (box.sizes() / edge).array().ceil() + 2 * kMargin;
+        if (counts.prod() > kMaxCells)
+        {
+            return;
+        }
+        low_ -= Eigen::Vector3d::Constant(kMargin * edge);
+        counts_ = counts.cast<int>();
+        state_.assign(static_cast<std::size_t>(counts_.prod()), kFree);
+    }
+
+    /// Marks the cubes near all triangles. False when there are too many cubes, or that would take
+    /// too long.
+    [[nodiscard]] bool block(const TriangleMesh& mesh)
+    {
+        return !state_.empty() &&
+               std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                           [&](const auto& t) {
+                               return block(mesh.vertices[t[0]], mesh.vertices[t[1]],
+                                            mesh.vertices[t[2]]);
+                           });
+    }
+
+    /// Marks the cubes that come near a triangle: all that it meets, and some beside. False when
+    /// that would take too long.
+    [[nodiscard]] bool block(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                             const Eigen::Vector3d& c)
+    {
+        const double reach = std::sqrt(0.75) * edge_;
+        const Eigen::Array3d low = a.cwiseMin(b).cwiseMin(c).array() - reach;
+        const Eigen::Array3d high = a.cwiseMax(b).cwiseMax(c).array() + reach;
+        const Eigen::Array3i first = cell(low).max(0);
+        const Eigen::Array3i last = cell(high).min(counts_ - 1);
+        looks_ += static_cast<std::size_t>((last - first + 1).cast<double>().prod());
+        if (looks_ > kMaxLooks)
+        {
+            return false;
+        }
+        for (int z = first.z(); z <= last.z(); ++z)
+        {
+            for (int y = first.y(); y <= last.y(); ++y)
+            {
+                for (int x = first.x(); x <= last.x(); ++x)
+                {
+                    char& state = state_[index(x, y, z)];
+                    const Eigen::Vector3d middle =
+                        low_ + edge_ * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5);
+                    if (state == kFree &&
+                        (closestPointOnTriangle(middle, a, b, c).point - middle).norm() <= reach)
+                    {
+                        state = kBlocked;
+                    }
+                }
+            }
+        }
+        return true;
+    }
+
+    /// Whether most directions from the first free cube in front of a triangle end at walls;
+    /// nothing where there is none near.
+    [[nodiscard]] std::optional<bool> facesRoom(const Eigen::Vector3d& middle,
+                                                const Eigen::Vector3d& normal)
+    {
+        for (int step = 1; step <= kStepsToRoom; ++step)
+        {
+            const Eigen::Array3i at = cell((middle + step * edge_ * normal).array());
+            if ((at < 0).any() || (at >= counts_).any())
+            {
+                return false;
+            }
+            char& state = state_[index(at.x(), at.y(), at.z())];
+            if (state == kFree)
+            {
+                state = wallsAround(at) >= kWallsOfRoom ? kRoom : kOutside;
+            }
+            if (state != kBlocked)
+            {
+                return state == kRoom;
+            }
+        }
+        return std::nullopt;
+    }
+
+private:
+    static constexpr double kMargin = 2; // cubes around the box
+    static constexpr char kFree = 0;
+    static constexpr char kBlocked = 1;
+    static constexpr char kRoom = 2;
+    static constexpr char kOutside = 3;
+
+    /// Of the 26 directions to neighbours, those in which a blocked cube lies.
+    [[nodiscard]] int wallsAround(const Eigen::Array3i& from) const
+    {
+        int walls = 0;
+        for (int direction = 0; direction < 27; ++direction)
+        {
+            const Eigen::Array3i step(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
+            Eigen::Array3i at = from + step;
+            while (direction != 13 && (at >= 0).all() && (at < counts_).all())
+            {
+                if (state_[index(at.x(), at.y(), at.z())] == kBlocked)
+                {
+                    ++walls;
+                    break;
+                }
+                at += step;
+            }
+        }
+        return walls;
+    }
+
+    [[nodiscard]] Eigen::Array3i cell(const Eigen::Array3d& p) const
+    {
+        return ((p - low_.array()) / edge_).floor().cast<int>();
+    }
+    [[nodiscard]] std::size_t index(int x, int y, int z) const
+    {
+        return (static_cast<std::size_t>(z) * counts_.y() + y) * counts_.x() + x;
+    }
+
+    Eigen::Vector3d low_;
+    double edge_;
+    std::size_t looks_ = 0;
+    Eigen::Array3i counts_ = Eigen::Array3i::Zero();
+    std::vector<char> state_;
+};
+
+/// [#T] Which triangles face a room that the surface mostly encloses, closed or open, such as the
+/// inside of a cup. False for all where that would take too long.
+std::vector<bool> facesRooms(const TriangleMesh& mesh)
+{
+    std::vector<bool> faces(mesh.triangles.size(), false);
+    const Eigen::AlignedBox3d box = boundingBox(mesh);
+    Cells cells(box, std::max(std::cbrt(box.volume()) / kRoomCells,
+                              box.sizes().maxCoeff() / (4 * kRoomCells)));
+    if (!cells.block(mesh))
+    {
+        return faces;
+    }
+    std::vector<std::uint32_t> known;
+    std::vector<bool> isKnown(mesh.triangles.size(), false);
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
+    {
+        const auto [a, b, c] = cornersOf(mesh, i);
+        const auto faced =
+            cells.facesRoom((a + b + c) / 3, (b - a).cross(c - a).stableNormalized());
+        if (faced)
+        {
+            faces[i] = *faced;
+            isKnown[i] = true;
+            known.push_back(i);
+        }
+    }
+    // In a corner no free cube is near. Such triangles are like those beside them.
+    const VertexTriangles around(mesh);
+    for (std::size_t k = 0; k < known.size(); ++k)
+    {
+        for (const std::uint32_t corner : mesh.triangles[known[k]])
+        {
+            for (const std::uint32_t other : around.at(corner))
+            {
+                if (!isKnown[other])
+                {
+                    faces[other] = faces[known[k]];
+                    isKnown[other] = true;
+                    known.push_back(other);
+                }
+            }
+        }
+    }
+    return faces;
+}
 
 /// [1] Of the volume of the largest part. Larger: compartments of a tray stay empty. Smaller: pores
 /// in the walls and gaps between ribs are filled too.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/edge_table.hpp"
+
 #include <frostfill/mesh.hpp>
 
 namespace frostfill
@@ -29,5 +31,14 @@ std::size_t turnPiecesOutward(TriangleMesh& mesh, bool isOne);
 
 /// [#T] How many other pieces surround the one that a triangle is of.
 [[nodiscard]] std::vector<std::size_t> depthsOfPieces(const TriangleMesh& mesh);
+
+/// The triangles at an edge in the order of a turn about it.
+[[nodiscard]] std::vector<EdgeUse> sortedAround(const TriangleMesh& mesh,
+                                                std::span<const EdgeUse> uses);
+
+/// Cuts the surface along edges where solid wedges touch: edges of four, six, ... triangles with
+/// alternating windings. Each wedge gets its own vertices. Other edges stay as they are. Returns
+/// the number of cut edges.
+std::size_t separateTouchingEdges(TriangleMesh& mesh);
 
 } // namespace frostfill

@@ -1,30 +1,127 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/edge_table.hpp"
-#include "mesh/repair/advice.hpp"
+#include "mesh/interior/interior_volume.hpp"
+#include "mesh/interior/walls.hpp"
 #include "mesh/repair/cavity.hpp"
 #include "mesh/repair/clean_mesh.hpp"
-#include "mesh/repair/close_holes.hpp"
-#include "mesh/repair/find_invalid_data.hpp"
-#include "mesh/repair/fins.hpp"
-#include "mesh/repair/openings.hpp"
+#include "mesh/repair/lids.hpp"
+#include "mesh/repair/loose_parts.hpp"
 #include "mesh/repair/orient_mesh.hpp"
-#include "mesh/repair/replace_surface.hpp"
-#include "mesh/repair/separate_edges.hpp"
-#include "mesh/repair/sheets.hpp"
 #include "mesh/repair/stitch_seams.hpp"
+#include "mesh/skin/wrap_program.hpp"
 #include "mesh/triangle_shape.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/mesh.hpp>
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace frostfill
 {
 namespace
 {
+
+/// [1] How far a skin lies around the mesh, over alpha.
+constexpr double kOffsetOverAlpha = 1.0 / 30;
+/// [1] Volume over area of a skin, over the offset, below which it is about walls only. A skin
+/// about a flat sheet has 1; about the Stanford bunny, whose holes it goes through, 2.8; about
+/// walls of thickness t 1 + t / (2 offset). Less: hollow shells count as solids. More: thin solids
+/// do not.
+constexpr double kSheetOfSkin = 3.5;
+
+/// Replaces any triangles by a skin around them (makeSkin) and adds a sentence to the repairs.
+/// `alpha` 0: a fiftieth of the diagonal of the mesh's box. Throws Error badData if the skin
+/// encloses little more than itself, too.
+void wrapMesh(TriangleMesh& mesh, double alpha, std::string_view name,
+              std::vector<std::string>& repairs)
+{
+    alpha = alpha > 0 ? alpha : boundingBox(mesh).diagonal().norm() / 50;
+    const double offset = kOffsetOverAlpha * alpha;
+    TriangleMesh skin = makeSkin(mesh, alpha, offset, name);
+    const double volume = signedVolume(skin);
+    if (!(volume > kSheetOfSkin * offset * surfaceArea(skin)))
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' cannot be filled: a skin around it encloses only the mesh's "
+                                "own walls (alpha {:.4g}); give --lid too, or a larger --wrap if "
+                                "its openings are wider than {:.4g}",
+                                name, alpha, 2 * alpha));
+    }
+    repairs.push_back(fmt::format("put a skin around it: alpha {:.4g}, offset {:.4g}, {} triangles "
+                                  "in place of {}",
+                                  alpha, offset, skin.triangles.size(), mesh.triangles.size()));
+    mesh = std::move(skin);
+}
+
+/// Replaces a closed mesh by the boundary of its interior (makeUnion) and adds a sentence to the
+/// repairs. A mesh that does not meet itself stays as it is.
+void unite(TriangleMesh& mesh, std::string_view name, std::vector<std::string>& repairs)
+{
+    if (classifyWalls(mesh).none())
+    {
+        return;
+    }
+    const double before = surfaceArea(mesh);
+    TriangleMesh whole = makeUnion(mesh, name);
+    dropFlatTriangles(whole); // rounding leaves some
+    if (!inspectMesh(whole).closed())
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' cannot be united: its parts meet at angles too small for "
+                                "double precision; unite them in a mesh editor",
+                                name));
+    }
+    repairs.push_back(fmt::format("removed the walls inside the union: area {:.6g} in place of "
+                                  "{:.6g}",
+                                  surfaceArea(whole), before));
+    mesh = std::move(whole);
+}
+
+/// [1] of the area to the power of 3/2, which does not count the space between parts.
+constexpr double kNoVolume = 1e-9;
+
+/// Whether the interior of a closed mesh has a volume. `report` is that of inspectMesh.
+bool hasVolume(const TriangleMesh& mesh, const MeshReport& report)
+{
+    const double least = kNoVolume * report.area * std::sqrt(report.area);
+    // Where a mesh crosses itself, parts of the signed volume may cancel.
+    return report.volume > least || interiorVolume(mesh) > least;
+}
+
+bool lidsHelp(TriangleMesh mesh)
+{
+    (void)closeOpenings(mesh);
+    if (!inspectMesh(mesh).closed())
+    {
+        return false;
+    }
+    turnPiecesOutward(mesh, false);
+    const MeshReport report = inspectMesh(mesh);
+    return report.degenerateTriangles == 0 && hasVolume(mesh, report);
+}
+
+/// Which options would make a mesh, as far as it is repaired, one that can be filled, with the
+/// command to type: "give --lid (frostfill fill tub.obj --lid), or ". Empty if none would. Those
+/// that are given already are not named.
+std::string optionsThatHelp(const TriangleMesh& mesh, std::string_view name,
+                            const LoadMeshOptions& given)
+{
+    const bool lids = !given.lid && lidsHelp(mesh);
+    const bool skin = !given.wrap && findWrapProgram().has_value();
+    const char* quote = name.find(' ') == std::string_view::npos ? "" : "'";
+    const std::string lid =
+        lids ? fmt::format("--lid (frostfill fill {0}{1}{0} --lid)", quote, name) : "";
+    const char* wrap = skin ? "--wrap auto" : "";
+    return lids || skin ? fmt::format("give {}{}{}, or ", lid, lids && skin ? " or " : "", wrap)
+                        : "";
+}
 
 constexpr std::size_t kMaxHolesListed = 10;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "mesh/edge_table.hpp"
+
 #include <frostfill/mesh.hpp>
 
 #include <string>
@@ -18,5 +20,15 @@ std::size_t splitAtTJunctions(TriangleMesh& mesh, double distance);
 /// grow as long as edges stay open. The smallest is used if it improves the surface, a larger one
 /// only if it closes it. Returns a sentence for each repair.
 std::vector<std::string> stitchSeams(TriangleMesh& mesh);
+
+/// Merges all vertices with the same position into the first of them. Keeps the order.
+void weldEqualVertices(TriangleMesh& mesh);
+
+/// [#V] whether an edge of only one triangle ends there.
+[[nodiscard]] std::vector<bool> verticesOnRims(const TriangleMesh& mesh, const EdgeTable& edges);
+
+/// Merges vertices on the rims of holes that are closer than `distance`.
+/// Returns the number of removed vertices.
+std::size_t weldRims(TriangleMesh& mesh, double distance);
 
 } // namespace frostfill

@@ -2,7 +2,7 @@
 #include "simulation/reach/open_cubes.hpp"
 
 #include "mesh/interior/near_surface.hpp"
-#include "mesh/interior/winding_number.hpp"
+#include "mesh/interior/winding_columns.hpp"
 
 #include <limits>
 #include <unordered_set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/polygon_cutter.hpp"
+#include "mesh/polygon_cutter.hpp"
 
 #include "base/random.hpp"
 #include "unit/mesh/files/mesh_texts.hpp"

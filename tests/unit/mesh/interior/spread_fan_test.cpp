@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/spread_fan.hpp"
+#include "mesh/interior/crossings.hpp"
 
 #include "unit/mesh/interior/surface_samples.hpp"
 

@@ -2,7 +2,7 @@
 #include "mesh/interior/walls.hpp"
 
 #include "mesh/interior/surface.hpp"
-#include "mesh/interior/winding_number.hpp"
+#include "mesh/interior/winding_columns.hpp"
 #include "unit/mesh/interior/surface_samples.hpp"
 
 #include <cmath>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/winding_columns.hpp"
 
-#include "mesh/interior/winding_number.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>

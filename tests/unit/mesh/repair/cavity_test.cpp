@@ -3,7 +3,7 @@
 // enclose.
 #include "mesh/repair/cavity.hpp"
 
-#include "mesh/repair/weld.hpp"
+#include "mesh/repair/stitch_seams.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 #include "unit/mesh/repair/lathe.hpp"

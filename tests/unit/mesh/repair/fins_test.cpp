@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/fins.hpp"
-
+#include "mesh/repair/loose_parts.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <frostfill/error.hpp>

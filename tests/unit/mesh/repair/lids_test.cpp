@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "mesh/repair/lids.hpp"
+
 #include "mesh/edge_table.hpp"
-#include "mesh/repair/large_lid.hpp"
-#include "mesh/repair/openings.hpp"
 #include "mesh/repair/rims.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"

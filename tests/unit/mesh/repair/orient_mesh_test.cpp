@@ -3,7 +3,7 @@
 #include "mesh/repair/orient_mesh.hpp"
 
 #include "base/processor_time.hpp"
-#include "mesh/interior/winding_number.hpp"
+#include "mesh/interior/winding_columns.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 

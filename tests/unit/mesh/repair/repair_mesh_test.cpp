@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/weld.hpp"
+#include "mesh/repair/stitch_seams.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/polygon_cutter.hpp"
+#include "mesh/polygon_cutter.hpp"
 
 namespace frostfill
 {

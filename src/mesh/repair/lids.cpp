@@ -1,16 +1,233 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/openings.hpp"
+#include "mesh/repair/lids.hpp"
 
+#include "mesh/polygon_cutter.hpp"
 #include "mesh/repair/clean_mesh.hpp"
 #include "mesh/repair/components.hpp"
-#include "mesh/repair/large_lid.hpp"
+#include "mesh/repair/loose_parts.hpp"
 #include "mesh/repair/orient_mesh.hpp"
-#include "mesh/repair/sheets.hpp"
 
+#include <limits>
 #include <map>
 
 namespace frostfill
 {
+namespace
+{
+
+/// [1] of the surface: a larger hole is an opening, not a defect.
+constexpr double kLargestShare = 0.05;
+
+/// The time for a lid of least area grows with the cube of the edges, the memory with their square.
+/// A rim of so many takes a tenth of a second.
+constexpr std::size_t kMaxEdgesOfLeastLid = 400;
+
+constexpr double kShortChords =
+    1e-3; // [1] weight of squared edges: favours fat triangles in a flat lid
+constexpr double kImpossible = std::numeric_limits<double>::infinity();
+
+/// The lid of least area, by dynamic programming over the rim: [Barequet & Sharir 1995, 2.3].
+class LeastLid
+{
+public:
+    LeastLid(const TriangleMesh& mesh, const EdgeTable& edges, const Rim& rim)
+        : mesh_(mesh), edges_(edges), rim_(rim), count_(rim.size()),
+          cost_(count_ * count_, kImpossible), middle_(count_ * count_, 0)
+    {
+        for (std::size_t i = 0; i + 1 < count_; ++i)
+        {
+            cost_[i * count_ + i + 1] = 0;
+        }
+        for (std::size_t span = 2; span < count_; ++span)
+        {
+            for (std::size_t i = 0; i + span < count_; ++i)
+            {
+                solve(i, i + span);
+            }
+        }
+    }
+
+    /// Empty if there is none: each lid has a triangle without area or a chord that is an edge of
+    /// the mesh already.
+    [[nodiscard]] std::vector<Triangle> triangles() const
+    {
+        std::vector<Triangle> result;
+        if (count_ < 3 || cost_[count_ - 1] == kImpossible)
+        {
+            return result;
+        }
+        std::vector<std::array<std::size_t, 2>> chords = {{0, count_ - 1}};
+        while (!chords.empty())
+        {
+            const auto [i, j] = chords.back();
+            chords.pop_back();
+            if (j < i + 2)
+            {
+                continue;
+            }
+            const std::size_t k = middle_[i * count_ + j];
+            result.push_back({rim_[i], rim_[k], rim_[j]});
+            chords.push_back({i, k});
+            chords.push_back({k, j});
+        }
+        return result;
+    }
+
+private:
+    /// The cheapest lid over rim vertices i..j, closed by the chord from j to i.
+    void solve(std::size_t i, std::size_t j)
+    {
+        const bool isChord = j - i + 1 < count_;
+        if (isChord && !edges_.find(rim_[i], rim_[j]).empty())
+        {
+            return;
+        }
+        double& best = cost_[i * count_ + j];
+        for (std::size_t k = i + 1; k < j; ++k)
+        {
+            const double parts = cost_[i * count_ + k] + cost_[k * count_ + j];
+            if (parts >= best)
+            {
+                continue;
+            }
+            const double whole = parts + weight(i, k, j);
+            if (whole < best)
+            {
+                best = whole;
+                middle_[i * count_ + j] = k;
+            }
+        }
+    }
+
+    [[nodiscard]] double weight(std::size_t i, std::size_t k, std::size_t j) const
+    {
+        const Eigen::Vector3d& a = mesh_.vertices[rim_[i]];
+        const Eigen::Vector3d& b = mesh_.vertices[rim_[k]];
+        const Eigen::Vector3d& c = mesh_.vertices[rim_[j]];
+        if (isFlat(a, b, c))
+        {
+            return kImpossible;
+        }
+        const double squares =
+            (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+        return 0.5 * (b - a).cross(c - a).norm() + kShortChords * squares;
+    }
+
+    const TriangleMesh& mesh_;
+    const EdgeTable& edges_;
+    const Rim& rim_;
+    std::size_t count_;
+    std::vector<double> cost_;
+    std::vector<std::size_t> middle_;
+};
+
+/// Twice the area vector of a closed path.
+Eigen::Vector3d normalOf(const TriangleMesh& mesh, const Rim& rim)
+{
+    const Eigen::Vector3d& origin = mesh.vertices[rim[0]];
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i + 1 < rim.size(); ++i)
+    {
+        sum += (mesh.vertices[rim[i]] - origin).cross(mesh.vertices[rim[i + 1]] - origin);
+    }
+    return sum;
+}
+
+/// A fan of triangles about a new vertex, the middle of the rim.
+std::vector<Triangle> fanLid(TriangleMesh& mesh, const Rim& rim)
+{
+    // Weighted by lengths, the middle does not depend on how finely a part of the rim is cut.
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double length = 0;
+    const Eigen::Vector3d origin = mesh.vertices[rim[0]];
+    for (std::size_t i = 0; i < rim.size(); ++i)
+    {
+        const Eigen::Vector3d a = mesh.vertices[rim[i]] - origin;
+        const Eigen::Vector3d b = mesh.vertices[rim[(i + 1) % rim.size()]] - origin;
+        sum += (b - a).norm() * (a + b) / 2;
+        length += (b - a).norm();
+    }
+    const auto middle = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.emplace_back(origin + sum / length);
+    std::vector<Triangle> fan;
+    for (std::size_t i = 0; i < rim.size(); ++i)
+    {
+        fan.push_back({rim[i], rim[(i + 1) % rim.size()], middle});
+    }
+    return fan;
+}
+
+} // namespace
+
+std::vector<Triangle> clippedLid(const TriangleMesh& mesh, const EdgeTable& edges, const Rim& rim)
+{
+    const Eigen::Vector3d normal = normalOf(mesh, rim);
+    std::vector<Triangle> lid;
+    std::map<std::uint32_t, std::uint32_t> next;
+    for (std::size_t i = 0; i < rim.size(); ++i)
+    {
+        next[rim[i]] = rim[(i + 1) % rim.size()];
+    }
+    const auto isFree = [&](std::uint32_t a, std::uint32_t b)
+    { return next[a] == b || edges.find(a, b).empty(); };
+    const auto fits = [&](const Triangle& t)
+    {
+        const Eigen::Vector3d& a = mesh.vertices[t[0]];
+        const Eigen::Vector3d area = (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a);
+        return area.dot(normal) > 0 && !isFlat(mesh, t) && isFree(t[0], t[1]) &&
+               isFree(t[1], t[2]) && isFree(t[2], t[0]);
+    };
+    const bool isCut = PolygonCutter(mesh.vertices).cut(rim, lid);
+    return isCut && std::all_of(lid.begin(), lid.end(), fits) ? lid : std::vector<Triangle>{};
+}
+
+std::vector<Triangle> lidOver(TriangleMesh& mesh, const EdgeTable& edges, const Rim& rim)
+{
+    std::vector<Triangle> lid;
+    if (rim.size() <= kMaxEdgesOfLeastLid)
+    {
+        lid = LeastLid(mesh, edges, rim).triangles();
+    }
+    if (lid.empty())
+    {
+        lid = clippedLid(mesh, edges, rim);
+    }
+    return lid.empty() ? fanLid(mesh, rim) : lid;
+}
+
+std::vector<Hole> closeHoles(TriangleMesh& mesh)
+{
+    const EdgeTable edges(mesh);
+    const double surface = surfaceArea(mesh);
+    std::vector<Hole> holes;
+    std::vector<Triangle> lids;
+    const std::vector<Rim> rims = findRims(edges);
+    const Sheets sheets(mesh, edges, rims);
+    for (const Rim& rim : rims)
+    {
+        Hole hole;
+        hole.ofSheet = sheets.has(edges.find(rim[0], rim[1])[0].triangle);
+        hole.edges = rim.size();
+        hole.middle = middleOf(mesh, rim);
+        if (rim.size() <= kMaxEdgesOfLeastLid)
+        {
+            const std::vector<Triangle> lid = LeastLid(mesh, edges, rim).triangles();
+            for (const Triangle& t : lid)
+            {
+                hole.share += areaOf(mesh, t) / surface;
+            }
+            hole.closed = !lid.empty() && !hole.ofSheet && hole.share <= kLargestShare;
+            if (hole.closed)
+            {
+                lids.insert(lids.end(), lid.begin(), lid.end());
+            }
+        }
+        holes.push_back(hole);
+    }
+    mesh.triangles.insert(mesh.triangles.end(), lids.begin(), lids.end());
+    return holes;
+}
+
 namespace
 {
 
@@ -111,7 +328,7 @@ void putLidsOn(OpenPatch& patch, TriangleMesh& mesh, const EdgeTable& edges)
         LidReport report;
         report.edges = rim.size();
         report.middle = middleOf(mesh, rim);
-        const std::vector<Triangle> lid = largeLid(mesh, edges, rim);
+        const std::vector<Triangle> lid = lidOver(mesh, edges, rim);
         for (const Triangle& t : lid)
         {
             const Eigen::Vector3d& a = mesh.vertices[t[0]];

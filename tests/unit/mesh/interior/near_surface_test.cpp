@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "mesh/interior/near_surface.hpp"
+
+#include "support/brute_distance.hpp"
+#include "support/shapes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <set>
+#include <vector>
+
+namespace frostfill
+{
+namespace
+{
+
+TEST(NearSurface, GroupsHaveEachTriangleOnceAndAreAsLongAsAllowed)
+{
+    const Surface surface(shapes::torus(1, 0.4, 40, 20));
+    for (const double longest : {0.0, 0.1, 0.3, 9.0})
+    {
+        std::vector<std::uint32_t> all;
+        std::size_t groups = 0;
+        forEachGroup(surface, longest,
+                     [&](const TriangleGroup& group)
+                     {
+                         ++groups;
+                         all.insert(all.end(), group.triangles.begin(), group.triangles.end());
+                         EXPECT_TRUE(group.triangles.size() == 1 ||
+                                     group.box.sizes().maxCoeff() <= longest);
+                         for (const std::uint32_t t : group.triangles)
+                         {
+                             for (const Eigen::Vector3d& corner : surface[t].corner)
+                             {
+                                 EXPECT_TRUE(group.box.contains(corner));
+                             }
+                         }
+                     });
+        const auto order = surface.tree().order();
+        EXPECT_TRUE(std::equal(all.begin(), all.end(), order.begin(), order.end()));
+        EXPECT_EQ(groups == all.size(), longest < 0.2) << longest;
+        EXPECT_TRUE(longest < 9 || groups == all.size() / 16);
+    }
+}
+
+TriangleMesh triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
+{
+    TriangleMesh mesh;
+    mesh.vertices = {a, b, c};
+    mesh.triangles = {{0, 1, 2}};
+    return mesh;
+}
+
+TEST(NearSurface, OfALongTriangleLooksAtRowsBesideIt)
+{
+    const Surface surface(triangle({0, 0, 0}, {3000, 2000, 4000}, {3000, 2001, 4000}));
+    const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5);
+    std::size_t runs = 0;
+    std::size_t near = 0;
+    forEachGroup(surface, frame.cell,
+                 [&](const TriangleGroup& group)
+                 {
+                     forEachRunNear(frame, surface, group, 1.3,
+                                    [&](int, int, CellRun run, auto&& isNear)
+                                    {
+                                        ++runs;
+                                        for (int x = run.first; x <= run.last; ++x)
+                                        {
+                                            near += isNear(x) ? 1 : 0;
+                                        }
+                                    });
+                 });
+    EXPECT_GT(near, 10000u);
+    EXPECT_LT(runs, 300000u); // of eight cells at most; its box has 1.7e7 rows
+}
+
+TEST(NearSurface, LooksOnlyAtRowsThatAreWorthIt)
+{
+    for (const double size : {90.0, 3.0}) // of a triangle that is halved, and of one that is not
+    {
+        const Surface surface(triangle({0, 0, 0}, {size, size, size}, {size, size, size / 4}));
+        const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5);
+        const std::array<std::uint32_t, 1> only = {0};
+        const TriangleGroup group{only, surface.box()};
+        const auto isWorth = [](int y, int z) { return (3 * y + z) % 7 == 0; };
+        std::multiset<std::array<int, 3>> expected;
+        std::multiset<std::array<int, 3>> found;
+        forEachRunNear(frame, surface, group, 1.3,
+                       [&](int y, int z, CellRun run, auto&&)
+                       {
+                           if (isWorth(y, z))
+                           {
+                               expected.insert({y, z, run.first});
+                           }
+                       });
+        forEachRunNear(
+            frame, surface, group, 1.3,
+            [&](int y, int z, CellRun run, auto&&) {
+                found.insert({y, z, run.first});
+            },
+            [&](int y, int z, int last, CellRun)
+            {
+                while (z <= last && !isWorth(y, z))
+                {
+                    ++z;
+                }
+                return z;
+            });
+        EXPECT_GT(expected.size(), 2u);
+        EXPECT_EQ(found, expected);
+    }
+}
+
+/// How many cells, by their number, are found near the surface.
+std::vector<std::atomic<int>> countNear(const Surface& surface, const GridFrame& frame,
+                                        double distance, int threadCount)
+{
+    Threads threads(threadCount);
+    std::vector<std::atomic<int>> count(frame.size());
+    forEachGroup(surface, frame.cell, threads,
+                 [&](const TriangleGroup& group)
+                 {
+                     forEachRunNear(frame, surface, group, distance,
+                                    [&](int y, int z, CellRun run, auto&& isNear)
+                                    {
+                                        for (int x = run.first; x <= run.last; ++x)
+                                        {
+                                            count[frame.index(x, y, z)] += isNear(x) ? 1 : 0;
+                                        }
+                                    });
+                 });
+    return count;
+}
+
+TEST(NearSurface, HasTheCellsWhoseMiddleIsNearSomeTriangleHoweverManyThreadsLook)
+{
+    // Large triangles, small ones, and both.
+    for (const TriangleMesh& mesh : {shapes::box({-3, -3, -3}, {3, 3, 3}),
+                                     shapes::torus(3, 1.5, 80, 40), shapes::torus(3, 1.5, 9, 200)})
+    {
+        const Surface surface(mesh);
+        const GridFrame frame = GridFrame::cover(surface.box(), 0.37, 0.5);
+        for (const double distance : {0.0, 0.2, 1.1})
+        {
+            const auto byOne = countNear(surface, frame, distance, 1);
+            const auto byThree = countNear(surface, frame, distance, 3);
+            std::size_t near = 0;
+            for (int z = 0; z < frame.count[2]; ++z)
+            {
+                for (int y = 0; y < frame.count[1]; ++y)
+                {
+                    for (int x = 0; x < frame.count[0]; ++x)
+                    {
+                        const std::size_t cell = frame.index(x, y, z);
+                        const bool isNear =
+                            distanceToSurface(surface, frame.centre(x, y, z)) <= distance;
+                        ASSERT_EQ(byOne[cell] > 0, isNear) << x << ' ' << y << ' ' << z;
+                        ASSERT_EQ(byThree[cell], byOne[cell]);
+                        near += isNear ? 1 : 0;
+                    }
+                }
+            }
+            EXPECT_EQ(near > 100, distance > 0);
+        }
+    }
+}
+
+} // namespace
+} // namespace frostfill
