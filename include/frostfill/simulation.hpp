@@ -33,9 +33,9 @@ struct SetRecord
     StageTimes times;        ///< of the stages of the simulation, in total
     std::size_t running = 0; ///< at the end of the set, or now, after freezing and discarding
     std::size_t frozen = 0;
-    std::size_t discarded = 0; ///< by the rule exact only of the newest set, else counted as frozen
-    std::size_t discardedPolygons = 0; ///< likewise
-    bool timedOut = false;             ///< did not come to rest within the time limit
+    std::size_t discarded = 0;
+    std::size_t discardedPolygons = 0;
+    bool timedOut = false; ///< did not come to rest within the time limit
     OperationCounts operations;
 };
 

@@ -7,6 +7,7 @@
 #include "simulation/reach/discards.hpp"
 #include "simulation/reach/reach_inspection.hpp"
 #include "simulation/world/fitting_radius.hpp"
+#include "simulation/world/set_recorder.hpp"
 #include "simulation/world/state_hash.hpp"
 #include "simulation/world/world.hpp"
 
@@ -113,14 +114,26 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 bool Simulation::step()
 {
+    World& world = implementation_->world;
+    const std::size_t setsBefore = world.counts.sets.size();
     const bool advanced = implementation_->engine->step();
-    if (implementation_->world.scene.preset == Preset::fast)
+    if (world.scene.preset == Preset::fast)
     {
         implementation_->guard.check();
     }
-    if (implementation_->world.clock.finished)
+    if (world.clock.finished || world.counts.sets.size() != setsBefore)
     {
         implementation_->discards.update();
+        // Engines close the record of a set without asking for what is discarded.
+        for (std::size_t k = std::max<std::size_t>(setsBefore, 1) - 1;
+             world.scene.discard.rule == DiscardRule::exact && k < world.counts.sets.size(); ++k)
+        {
+            SetRecord& set = world.counts.sets[k];
+            const std::size_t resting = set.frozen + set.discarded;
+            set.discarded = std::min(resting, world.spheres.discardedCount());
+            set.frozen = resting - set.discarded;
+            set.discardedPolygons = world.discardedPolygons;
+        }
     }
     return advanced;
 }
@@ -225,14 +238,9 @@ const std::vector<SetRecord>& Simulation::sets() const
 {
     World& world = implementation_->world;
     implementation_->discards.update();
-    const bool goesOn = !world.clock.finished || world.scene.discard.rule == DiscardRule::exact;
-    if (goesOn && !world.counts.sets.empty())
+    if (!world.clock.finished && !world.counts.sets.empty())
     {
-        SetRecord& newest = world.counts.sets.back();
-        newest.running = world.spheres.runningCount();
-        newest.frozen = world.spheres.frozenCount();
-        newest.discarded = world.spheres.discardedCount();
-        newest.discardedPolygons = world.discardedPolygons;
+        SetRecorder::count(world, world.counts.sets.back());
     }
     return world.counts.sets;
 }

@@ -2,10 +2,11 @@
 #include "simulation/reach/discards.hpp"
 
 #include "base/stage_timer.hpp"
-#include "mesh/interior/triangle_rows.hpp"
+#include "mesh/interior/near_surface.hpp"
 #include "simulation/world/tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 #include <utility>
@@ -168,38 +169,34 @@ bool Discards::canBeTouched(std::uint32_t polygon)
 {
     const Cubes& cubes = open_->cubes;
     const double reach = world_.radii.largest() + kDiscardGap;
-    Eigen::AlignedBox3d box;
+    const std::array<std::uint32_t, 1> alone = {polygon};
+    TriangleGroup group{alone, {}};
     for (const Eigen::Vector3d& corner : world_.surface[polygon].corner)
     {
-        box.extend(Eigen::Vector3d(corner.array() - reach));
-        box.extend(Eigen::Vector3d(corner.array() + reach));
+        group.box.extend(corner);
     }
-    if (!cubes.mayHaveAny(open_->inside, box))
+    if (!cubes.mayHaveAny(open_->inside,
+                          {group.box.min().array() - reach, group.box.max().array() + reach}))
     {
         return false;
     }
-    const TriangleRows rows(cubes.frame(), world_.surface, polygon,
-                            reach + kHalfDiagonal * cubes.frame().cell);
-    const NearTriangle near(world_.surface, polygon,
-                            reach + ClearSearch::reachOfPart(cubes.frame().cell));
-    const auto isNear = [&](const Eigen::Vector3d& part) { return near.contains(part); };
-    std::uint64_t row = 0;
-    return rows.find(
-        row,
-        [&](int y, int z, CellRun most)
-        {
-            const CellRun run = rows.run(y, z, most);
-            return findPlace(
-                y, z, run, [&](int x) { return rows.near(x, y, z); }, isNear);
-        },
+    const NearGroup near(world_.surface, group,
+                         reach + ClearSearch::reachOfPart(cubes.frame().cell));
+    const auto isNear = [&](const Eigen::Vector3d& part) { return near.isNear(polygon, part); };
+    bool found = false;
+    forEachRunNear(
+        cubes.frame(), world_.surface, group, reach + kHalfDiagonal * cubes.frame().cell,
+        [&](int y, int z, CellRun run, auto&& isCubeNear)
+        { found = found || findPlace(y, z, run, isCubeNear, isNear); },
         [&](int y, int z, int last, CellRun most)
         {
-            while (z <= last && !cubes.any(open_->inside, y, z, most))
+            while (z <= last && (found || !cubes.any(open_->inside, y, z, most)))
             {
                 ++z;
             }
             return z;
         });
+    return found;
 }
 
 // Whether one of the cubes of a row that are near may hold a place in a part that is near. Cubes

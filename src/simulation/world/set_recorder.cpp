@@ -28,6 +28,14 @@ void SetRecorder::open(World& world, std::size_t spheres)
     world.counts.sets.push_back(record);
 }
 
+void SetRecorder::count(const World& world, SetRecord& record)
+{
+    record.running = world.spheres.runningCount();
+    record.frozen = world.spheres.frozenCount();
+    record.discarded = world.spheres.discardedCount();
+    record.discardedPolygons = world.discardedPolygons;
+}
+
 void SetRecorder::observe(double sphereSphereMs, double spherePolygonMs)
 {
     sphereSphereMs_.push_back(sphereSphereMs);
@@ -53,14 +61,7 @@ void SetRecorder::close(World& world)
         record.times.seconds[stage] =
             world.counts.times.seconds[stage] - timesAtStart_.seconds[stage];
     }
-    record.running = world.spheres.runningCount();
-    record.frozen = world.spheres.resting().size();
-    if (world.scene.discard.rule == DiscardRule::paper) // the others are found for who asks
-    {
-        record.frozen = world.spheres.frozenCount();
-        record.discarded = world.spheres.discardedCount();
-        record.discardedPolygons = world.discardedPolygons;
-    }
+    count(world, record);
     record.timedOut = timedOut_;
     record.operations = world.counts.operations - operationsAtStart_;
 }

@@ -16,6 +16,8 @@ public:
     void close(World& world);
     /// Opens a record for a set of `spheres` spheres.
     void open(World& world, std::size_t spheres);
+    /// Counts the spheres and polygons of each state.
+    static void count(const World& world, SetRecord& record);
     /// Takes in one step's milliseconds.
     void observe(double sphereSphereMs, double spherePolygonMs);
     void markTimedOut() { timedOut_ = true; }
