@@ -2,10 +2,12 @@
 #include "mesh/interior/near_surface.hpp"
 
 #include "support/brute_distance.hpp"
+#include "support/random_points.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
 #include <set>
 #include <vector>
@@ -50,6 +52,64 @@ TriangleMesh triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const 
     mesh.vertices = {a, b, c};
     mesh.triangles = {{0, 1, 2}};
     return mesh;
+}
+
+using Cells = std::set<std::array<int, 3>>;
+
+TEST(NearSurface, HasAllCellsNearATriangleHoweverLargeItIs)
+{
+    constexpr double kDistance = 1.3;
+    RandomPoints random(4);
+    std::size_t large = 0;
+    for (int k = 0; k < 40; ++k)
+    {
+        // Small ones, large ones, and long ones, some of them square to an axis.
+        const double size = k % 4 == 0 ? 4 : 50;
+        const Eigen::Vector3d a = random.point(-size, size);
+        Eigen::Vector3d b = random.point(-size, size);
+        Eigen::Vector3d c =
+            k % 3 == 0 ? Eigen::Vector3d(a + random.point(-1, 1)) : random.point(-size, size);
+        if (k % 5 == 0)
+        {
+            const int axis = k / 5 % 3;
+            b[axis] = c[axis] = a[axis];
+        }
+        const Surface surface(triangle(a, b, c));
+        const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5);
+        Cells all;
+        for (int z = 0; z < frame.count[2]; ++z)
+        {
+            for (int y = 0; y < frame.count[1]; ++y)
+            {
+                for (int x = 0; x < frame.count[0]; ++x)
+                {
+                    if (distanceToSurface(surface, frame.centre(x, y, z)) <= kDistance)
+                    {
+                        all.insert({x, y, z});
+                    }
+                }
+            }
+        }
+        Cells found;
+        forEachGroup(surface, frame.cell,
+                     [&](const TriangleGroup& group)
+                     {
+                         forEachRunNear(frame, surface, group, kDistance,
+                                        [&](int y, int z, CellRun run, auto&& isNear)
+                                        {
+                                            for (int x = run.first; x <= run.last; ++x)
+                                            {
+                                                if (isNear(x))
+                                                {
+                                                    found.insert({x, y, z});
+                                                }
+                                            }
+                                        });
+                     });
+        EXPECT_EQ(found, all) << k;
+        large += all.size() > 10000 ? 1 : 0;
+    }
+    EXPECT_GT(large, 5u);
 }
 
 TEST(NearSurface, OfALongTriangleLooksAtRowsBesideIt)
