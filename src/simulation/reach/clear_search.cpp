@@ -121,6 +121,24 @@ ClearSearch::find(const Eigen::Vector3d& middle, double edge, std::uint32_t rows
     return found;
 }
 
+bool ClearSearch::isStillClear(const Eigen::Vector3d& part, double edge, std::uint32_t rows) const
+{
+    const double reach = probe_ - OpenCubes::overlapOf(probe_);
+    const double half = edge / kSide / 2;
+    bool isClear = true;
+    resting_.forEachNear(part, 1 + probe_,
+                         [&](std::uint32_t row)
+                         {
+                             const Ball& ball = resting_[row];
+                             const double radius = ball.radius + reach;
+                             const Eigen::Array3d farthest =
+                                 (ball.position() - part).array().abs() + half;
+                             isClear = isClear && (row >= rows || farthest.matrix().squaredNorm() >=
+                                                                      radius * radius);
+                         });
+    return isClear;
+}
+
 // The nearest point of a wall, if it is nearer than that.
 std::optional<Eigen::Vector3d> ClearSearch::wallNear(const Eigen::Vector3d& p,
                                                      double distance) const

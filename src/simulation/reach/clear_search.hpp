@@ -42,6 +42,9 @@ public:
     {
         return find(middle, edge, rows, [](const Eigen::Vector3d&) { return true; }) != Place::none;
     }
+    /// Whether none of the first `rows` spheres at rest excludes a part by now that was clear.
+    [[nodiscard]] bool isStillClear(const Eigen::Vector3d& part, double edge,
+                                    std::uint32_t rows) const;
     /// How far a point of a part is from its middle at most.
     [[nodiscard]] static double reachOfPart(double edge) { return kHalfDiagonal * edge / kSide; }
 

@@ -27,6 +27,11 @@ struct CubeWord
     std::uint64_t bits;
 };
 
+inline bool has(const CubeSet& set, CubeWord cube)
+{
+    return (set[cube.word] & cube.bits) != 0;
+}
+
 /// Numbers the cubes of a grid, of a large one those that may hold a point inside of a surface or
 /// within its reach: 64 cubes along x make a word, and 4 x 4 words a brick. All other cubes share
 /// the words of brick 0, which no set has. Memory therefore follows the inside, not the box around

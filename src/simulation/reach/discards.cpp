@@ -8,13 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <numeric>
+#include <cmath>
 #include <utility>
 
 namespace frostfill
 {
 namespace
 {
+
+const Eigen::Vector3d kUnknown = Eigen::Vector3d::Constant(std::nan(""));
 
 // Small spheres of a size curve pass between large ones and get everywhere.
 bool isExact(const World& world)
@@ -35,10 +37,12 @@ bool wakesEverything(const Scene& scene)
 Discards::Discards(World& world)
     : world_(world), search_(world.spheres.resting(), world.triangles, world.radii.smallest()),
       isOff_(!isExact(world)),
-      step_(static_cast<std::uint32_t>(std::max<std::size_t>(1, expectedCount(world) / kMarks))),
-      polygons_(isOff_ ? 0 : world.polygons.size())
+      step_(static_cast<std::uint32_t>(std::max<std::size_t>(1, expectedCount(world) / kMarks)))
 {
-    std::iota(polygons_.begin(), polygons_.end(), 0U);
+    for (std::uint32_t k = 0; !isOff_ && k < world.polygons.size(); ++k)
+    {
+        polygons_.push_back({k, kUnknown});
+    }
 }
 
 // Larger cubes would give another answer.
@@ -82,30 +86,33 @@ void Discards::update()
 void Discards::discardFrom(std::uint32_t newest, bool allGo)
 {
     const SphereGrid& resting = world_.spheres.resting();
-    const auto sphereGoes = [&](std::uint32_t row)
+    const auto sphereGoes = [&](Kept& kept)
     {
-        const bool goes = allGo || !canBeTouched(resting[row]);
+        const Ball& ball = resting[kept.index];
+        const bool goes = allGo || !(isOpen(kept.witness) || canBeTouched(ball, kept.witness));
         if (goes)
         {
-            world_.spheres.discard(resting.id(row));
+            world_.spheres.discard(resting.id(kept.index));
         }
         return goes;
     };
     std::erase_if(spheres_, sphereGoes);
     for (std::uint32_t row = newest; row < mark_; ++row)
     {
-        if (!sphereGoes(row))
+        Kept kept{row, kUnknown};
+        if (!sphereGoes(kept))
         {
-            spheres_.push_back(row);
+            spheres_.push_back(kept);
         }
     }
     std::erase_if(polygons_,
-                  [&](std::uint32_t polygon)
+                  [&](Kept& kept)
                   {
-                      const bool goes = allGo || !canBeTouched(polygon);
+                      const bool goes = allGo || !(isOpen(kept.witness) ||
+                                                   canBeTouched(kept.index, kept.witness));
                       if (goes)
                       {
-                          world_.discardPolygon(polygon);
+                          world_.discardPolygon(kept.index);
                       }
                       return goes;
                   });
@@ -146,7 +153,15 @@ void Discards::close(const Ball& ball)
                   });
 }
 
-bool Discards::canBeTouched(const Ball& ball)
+// Walls stay, and cubes only close. What was found once therefore holds until spheres at rest
+// exclude it: a search at each mark took twenty times as long.
+bool Discards::isOpen(const Eigen::Vector3d& witness) const
+{
+    return !std::isnan(witness.x()) && has(open_->inside, open_->cubes.at(witness)) &&
+           search_.isStillClear(witness, open_->cubes.frame().cell, mark_);
+}
+
+bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness)
 {
     const double reach = ball.radius + world_.radii.largest() + kDiscardGap;
     const double ofPart = reach + ClearSearch::reachOfPart(open_->cubes.frame().cell);
@@ -156,7 +171,10 @@ bool Discards::canBeTouched(const Ball& ball)
         return false;
     }
     const auto isNear = [&](const Eigen::Vector3d& part)
-    { return (part - centre).squaredNorm() <= ofPart * ofPart; };
+    {
+        witness = part; // the last one that is asked for is the one that is found
+        return (part - centre).squaredNorm() <= ofPart * ofPart;
+    };
     return findRowOfBall(open_->cubes.frame(), centre, reach, kMeetsBall,
                          [&](int y, int z, CellRun run)
                          {
@@ -165,7 +183,7 @@ bool Discards::canBeTouched(const Ball& ball)
                          });
 }
 
-bool Discards::canBeTouched(std::uint32_t polygon)
+bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
 {
     const Cubes& cubes = open_->cubes;
     const double reach = world_.radii.largest() + kDiscardGap;
@@ -182,7 +200,11 @@ bool Discards::canBeTouched(std::uint32_t polygon)
     }
     const NearGroup near(world_.surface, group,
                          reach + ClearSearch::reachOfPart(cubes.frame().cell));
-    const auto isNear = [&](const Eigen::Vector3d& part) { return near.isNear(polygon, part); };
+    const auto isNear = [&](const Eigen::Vector3d& part)
+    {
+        witness = part;
+        return near.isNear(polygon, part);
+    };
     bool found = false;
     forEachRunNear(
         cubes.frame(), world_.surface, group, reach + kHalfDiagonal * cubes.frame().cell,

@@ -39,8 +39,15 @@ private:
     [[nodiscard]] std::uint32_t newestMark() const;
     [[nodiscard]] bool findOpenCubes();
     void close(const Ball& ball);
-    [[nodiscard]] bool canBeTouched(const Ball& ball);
-    [[nodiscard]] bool canBeTouched(std::uint32_t polygon);
+    /// A sphere at rest, by row, or a polygon.
+    struct Kept
+    {
+        std::uint32_t index;
+        Eigen::Vector3d witness; ///< of a part of a cube, from which it can be touched; else NaN
+    };
+    [[nodiscard]] bool isOpen(const Eigen::Vector3d& witness) const;
+    [[nodiscard]] bool canBeTouched(const Ball& ball, Eigen::Vector3d& witness);
+    [[nodiscard]] bool canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness);
     template <class IsCubeNear>
     [[nodiscard]] bool findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear,
                                  const IsNear& isNear);
@@ -48,13 +55,13 @@ private:
 
     World& world_;
     ClearSearch search_;
-    std::optional<OpenCubes> open_;       ///< less what holds no place at the newest mark
-    bool isOff_;                          ///< nothing is ever discarded
-    std::uint32_t step_;                  ///< spheres from mark to mark
-    bool isOver_ = false;                 ///< found for the end of the run
-    std::uint32_t mark_ = 0;              ///< spheres at rest at the newest mark
-    std::vector<std::uint32_t> spheres_;  ///< rows at rest that are not discarded
-    std::vector<std::uint32_t> polygons_; ///< that are not discarded
+    std::optional<OpenCubes> open_; ///< less what holds no place at the newest mark
+    bool isOff_;                    ///< nothing is ever discarded
+    std::uint32_t step_;            ///< spheres from mark to mark
+    bool isOver_ = false;           ///< found for the end of the run
+    std::uint32_t mark_ = 0;        ///< spheres at rest at the newest mark
+    std::vector<Kept> spheres_;
+    std::vector<Kept> polygons_;
 };
 
 } // namespace frostfill

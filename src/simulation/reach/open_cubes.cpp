@@ -13,11 +13,6 @@ namespace frostfill
 namespace
 {
 
-bool has(const CubeSet& set, CubeWord cube)
-{
-    return (set[cube.word] & cube.bits) != 0;
-}
-
 // The smallest edge from `voxel` on with which a set of cubes fits into memory; nothing when that
 // is more than `largest`.
 std::optional<Cubes> chooseCubes(const Surface& surface, const InsideTest& inside, double margin,
