@@ -33,6 +33,7 @@ struct SetRecord
     StageTimes times;        ///< of the stages of the simulation, in total
     std::size_t running = 0; ///< at the end of the set, or now, after freezing and discarding
     std::size_t frozen = 0;
+    /// By the rule exact as far as somebody has asked by then, as pictures do; see capture().
     std::size_t discarded = 0;
     std::size_t discardedPolygons = 0;
     bool timedOut = false; ///< did not come to rest within the time limit

@@ -92,6 +92,14 @@ const Scene& ofSameObject(const Scene& scene, const Scene& other)
     return scene;
 }
 
+void countNewestSet(World& world)
+{
+    if (!world.counts.sets.empty())
+    {
+        SetRecorder::count(world, world.counts.sets.back());
+    }
+}
+
 } // namespace
 
 Simulation::Simulation(const Scene& scene, const TriangleMesh& mesh)
@@ -115,25 +123,15 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 bool Simulation::step()
 {
     World& world = implementation_->world;
-    const std::size_t setsBefore = world.counts.sets.size();
     const bool advanced = implementation_->engine->step();
     if (world.scene.preset == Preset::fast)
     {
         implementation_->guard.check();
     }
-    if (world.clock.finished || world.counts.sets.size() != setsBefore)
+    if (world.clock.finished)
     {
         implementation_->discards.update();
-        // Engines close the record of a set without asking for what is discarded.
-        for (std::size_t k = std::max<std::size_t>(setsBefore, 1) - 1;
-             world.scene.discard.rule == DiscardRule::exact && k < world.counts.sets.size(); ++k)
-        {
-            SetRecord& set = world.counts.sets[k];
-            const std::size_t resting = set.frozen + set.discarded;
-            set.discarded = std::min(resting, world.spheres.discardedCount());
-            set.frozen = resting - set.discarded;
-            set.discardedPolygons = world.discardedPolygons;
-        }
+        countNewestSet(world);
     }
     return advanced;
 }
@@ -236,13 +234,9 @@ const StageTimes& Simulation::times() const
 }
 const std::vector<SetRecord>& Simulation::sets() const
 {
-    World& world = implementation_->world;
     implementation_->discards.update();
-    if (!world.clock.finished && !world.counts.sets.empty())
-    {
-        SetRecorder::count(world, world.counts.sets.back());
-    }
-    return world.counts.sets;
+    countNewestSet(implementation_->world);
+    return implementation_->world.counts.sets;
 }
 std::size_t Simulation::groupSize() const
 {
