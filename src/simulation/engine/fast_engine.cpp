@@ -202,26 +202,18 @@ void FastEngine::advance()
                      });
 }
 
-// Then those that met are taken apart. Meanwhile other threads look at those that met nobody.
+// Then those that met are taken apart.
 void FastEngine::solve()
 {
     observed_.resize(running_.size());
     {
-        double& freezing = world_.counts.times[Stage::freezing];
-        const StageTimer timer(world_.counts.times, Stage::freezing);
-        const bool looks = looksAhead();
-        const auto alone = [this, looks](std::uint32_t row)
+        double& total = world_.counts.times[Stage::sphereSphere];
+        const double before = total;
         {
-            observe(row);
-            return looks && freezer_.watchAhead(row);
-        };
-        const double seconds = solver_.resolve(
-            world_.clock.dt, {.alone = alone,
-                              .more = [this](std::uint32_t row) { freezer_.look(row); },
-                              .after = [this](std::uint32_t row) { observe(row); }});
-        world_.counts.times[Stage::sphereSphere] += seconds;
-        freezing -= seconds;
-        sets_.observeSolver(1e3 * seconds);
+            const StageTimer timer(world_.counts.times, Stage::sphereSphere);
+            solver_.resolve(world_.clock.dt, [this](std::uint32_t row) { observe(row); });
+        }
+        sets_.observeSolver(1e3 * (total - before));
     }
     countTests();
     observeEnergy();
@@ -231,14 +223,6 @@ void FastEngine::solve()
     {
         world_.pull = world_.motion.pullAt(world_.clock.time - world_.motionStart);
     }
-}
-
-// Whether the window ends with this step, and nothing but those that push each other may keep a
-// runner from being frozen.
-bool FastEngine::looksAhead()
-{
-    return threads_.concurrency() > 1 && stepsInWindow_ + 1 >= windowSteps_ && !waker_.isMoving() &&
-           sets_.keepsAllSleepy() && freezer_.startLooking();
 }
 
 void FastEngine::freezeAndWake()

@@ -39,7 +39,6 @@ private:
 
     [[nodiscard]] std::size_t release(std::size_t wanted);
     void beginMotion();
-    [[nodiscard]] bool looksAhead();
     void observe(std::uint32_t row);
     void countTests();
     void observeEnergy();
