@@ -120,7 +120,7 @@ std::size_t FastEngine::release(std::size_t wanted)
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     if (world_.scene.motion.mode == Motion::skip)
     {
-        query.prepare = [this](Eigen::Vector3d& place, double radius, Footprint& seen)
+        query.prepare = [this](Eigen::Vector3d& place, double radius, Eigen::AlignedBox3d& seen)
         {
             dropAndRoll_.drop(place, radius, &seen);
             return true;

@@ -32,21 +32,15 @@ inline constexpr double kDistanceSlack = 1e-9;
 /// Larger: time, when the object is crowded. Smaller: sets appear with fewer spheres than they
 /// could.
 inline constexpr int kMaxMisses = 64;
-/// Draws ahead of the next, up to which what they lead to is known. [1] The answer is the same for
-/// any. Larger: memory. Smaller: many threads have too little to do at once.
-inline constexpr std::size_t kMostAhead = 1024;
+/// Draws of a batch: ceilings at which nothing fits go at its end. [1] Results depend on it.
+/// Larger: draws that lead nowhere, once few ceilings are left. Smaller: threads have too little to
+/// do at once.
+inline constexpr std::uint64_t kBatch = 256;
 /// Places in a row that are looked for ahead of their time, on all threads: as many as are wanted,
 /// within these limits. The answer is the same for any. Larger: more of them are void when
 /// something comes to rest. Smaller: threads wait for each other.
 inline constexpr std::size_t kFewestDrawsAhead = 16;
 inline constexpr std::size_t kDrawsAhead = 128;
-/// Draws after one that forgets a ceiling, for which ceilings are looked at one by one: which one
-/// is forgotten decides what is drawn next. The answer is the same for any. Larger: threads wait.
-/// Smaller: more of what was found out ahead is void.
-inline constexpr std::uint64_t kForgets = 64;
-/// Draws ahead for so long: one that is open may still turn out to have no place. The answer is the
-/// same for any. Larger: more is void. Smaller: threads wait.
-inline constexpr std::size_t kAheadWhileForgetting = 16;
 /// Layers of cells in a slab that is worth a thread's while. The answer is the same for any.
 inline constexpr int kSlabThickness = 8;
 
