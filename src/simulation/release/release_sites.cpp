@@ -13,7 +13,7 @@ namespace frostfill
 ReleaseSites::ReleaseSites(const World& world, double radius, double band, Threads& threads,
                            double coarsest)
     : world_(world), threads_(threads), radius_(radius),
-      sites_(world.surface, world.inside, radius, threads, kSmallLattice, coarsest)
+      sites_(world.surface, world.inside, radius, threads, coarsest)
 {
     if (band >= 0)
     {
@@ -190,7 +190,7 @@ void ReleaseSites::computePlace(Draw& draw) const
 // A site was opened inside, where walls are farther away than this.
 Start ReleaseSites::startWithin(double way) const
 {
-    return way < radius_ - sites_.halfDiagonal() ? Start::inside : Start::anywhere;
+    return way < sites_.depth() ? Start::inside : Start::anywhere;
 }
 
 // Whether the site was closed, or a sphere at rest leaves no place in its cell, as

@@ -20,12 +20,14 @@ inline constexpr double kSiteCell = 0.5;
 /// tried, so results depend on it. In a larger one those in and near the object do.
 inline constexpr double kMaxSites = 4e9;
 /// Words of 64 sites up to which a lattice has those of its whole box. [1] Larger: memory for sites
-/// outside. Smaller: closing a site takes a search in a list.
-inline constexpr double kSmallLattice = 4e6;
+/// outside. Smaller: closing a site takes a look at bricks.
+inline constexpr std::size_t kSmallLattice = 4'000'000;
+/// Words that a thread opens at once. [1] The answer is the same for any.
+inline constexpr std::size_t kWordsOfPart = 4096;
 /// Factor by which cells grow until there are few enough. Larger: coarser than need be.
 inline constexpr double kCellGrowth = 1.02;
-/// What rounding may add to a distance [r]. Smaller: a site may be taken for one on the other side
-/// of a wall. Larger: more sites are asked for their side.
+/// What rounding may take from a distance [1]. Smaller: a site may be taken for one on the other
+/// side of a wall. Larger: more sites count as near one.
 inline constexpr double kDistanceSlack = 1e-9;
 
 /// Places in a row that others run through, after which a search gives up for now [1]: most do.
