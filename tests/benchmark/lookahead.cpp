@@ -48,7 +48,8 @@ Fill fillCube(double radius, int threadCount)
     ReleaseQuery query = queryOfRest(descent, threads.concurrency());
     std::atomic<std::size_t> paths = 0;
     Fill fill;
-    query.prepare = [&, settle = query.prepare](Eigen::Vector3d& p, double its, Footprint& seen)
+    query.prepare =
+        [&, settle = query.prepare](Eigen::Vector3d& p, double its, Eigen::AlignedBox3d& seen)
     {
         ++paths;
         const auto start = std::chrono::steady_clock::now();

@@ -232,27 +232,6 @@ Eigen::AlignedBox3d InsideTest::boxInReach(std::size_t brick) const
     return box;
 }
 
-double InsideTest::farUntil(const Eigen::Vector3d& p, double end) const
-{
-    constexpr int kSide = TriangleGrid::Cells::kSide;
-    const GridFrame& frame = grid_->frame();
-    auto [x, y, z] = frame.coordinates(p);
-    const int first = x;
-    const int last = frame.coordinate(end, 0);
-    const bool isInside = isCellInside({x, y, z});
-    while (x <= last && isCellInside({x, y, z}) == isInside)
-    {
-        const std::size_t number = grid_->cells().find(x, y, z);
-        const bool isBrick = number == TriangleGrid::Cells::kNone;
-        if (!isBrick && !grid_->ofCell(number).empty())
-        {
-            break;
-        }
-        x += isBrick ? kSide - x % kSide : 1;
-    }
-    return x == first ? p.x() : frame.origin.x() + frame.cell * (x - kBorder);
-}
-
 bool InsideTest::contains(const Eigen::Vector3d& p) const
 {
     return distance(p) > 0;

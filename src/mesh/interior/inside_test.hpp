@@ -45,11 +45,6 @@ public:
         return grid_->cell(x, y, z).empty() && !isCellInside({x, y, z});
     }
 
-    /// x coordinate up to which all points of p's row, from p on, are surely on its side and beyond
-    /// the reach of the grid; that of p if nothing is known. Not looked at far beyond `end`. p lies
-    /// within the frame.
-    [[nodiscard]] double farUntil(const Eigen::Vector3d& p, double end) const;
-
     /// Calls visit(box) for boxes that hold all that is inside or within reach of the surface.
     template <class Visit>
     void forEachBoxInReach(Visit&& visit) const

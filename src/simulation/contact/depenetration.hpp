@@ -17,6 +17,16 @@ enum class Start
     inside ///< the object; its side need not be found out, only walls within a radius
 };
 
+/// Adds to a box the centres of all spheres, whose radius is at most 1, with a surface within
+/// `distance` of p. While no sphere comes to rest in the box of all that an answer has looked at,
+/// the answer stays the same, bit for bit.
+inline void addSeen(Eigen::AlignedBox3d& box, const Eigen::Vector3d& p, double distance)
+{
+    const double reach = distance + 1 + kSeenBeyond;
+    box.extend(Eigen::Vector3d(p.array() - reach));
+    box.extend(Eigen::Vector3d(p.array() + reach));
+}
+
 /// Moves p out of all overlaps that a sphere of `radius` there would have with the walls and with
 /// spheres at rest, pushing it out of the deepest one again and again. Returns whether a clear
 /// place was found within `farthest` of where p was, by so many moves.

@@ -36,7 +36,7 @@ inline constexpr double kCarryingGap = 0.005;
 /// they are moved. Smaller: rounding may overlap them.
 inline constexpr double kClearance = 1e-9;
 
-/// So much farther than it has looked a footprint reaches, for the rounding of sums taken in
+/// So much farther than an answer has looked its box reaches, for the rounding of sums taken in
 /// another order. [r] Larger: answers that have not changed are computed again. Smaller: an answer
 /// that has changed by a bit may be kept.
 inline constexpr double kSeenBeyond = 1e-9;

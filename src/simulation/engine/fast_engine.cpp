@@ -119,7 +119,7 @@ std::size_t FastEngine::release(std::size_t wanted)
     // Free flight is analytic: with Motion::skip a sphere appears where it would touch first.
     if (world_.scene.motion.mode == Motion::skip)
     {
-        query.prepare = [this](Eigen::Vector3d& place, double radius, Footprint& seen)
+        query.prepare = [this](Eigen::Vector3d& place, double radius, Eigen::AlignedBox3d& seen)
         {
             dropAndRoll_.drop(place, radius, &seen);
             return true;
@@ -193,26 +193,18 @@ void FastEngine::advance()
                      });
 }
 
-// Then those that met are taken apart. Meanwhile other threads look at those that met nobody.
+// Then those that met are taken apart.
 void FastEngine::solve()
 {
     observed_.resize(running_.size());
     {
-        double& freezing = world_.counts.times[Stage::freezing];
-        const StageTimer timer(world_.counts.times, Stage::freezing);
-        const bool looks = looksAhead();
-        const auto alone = [this, looks](std::uint32_t row)
+        double& total = world_.counts.times[Stage::sphereSphere];
+        const double before = total;
         {
-            observe(row);
-            return looks && freezer_.watchAhead(row);
-        };
-        const double seconds = solver_.resolve(
-            world_.clock.dt, {.alone = alone,
-                              .more = [this](std::uint32_t row) { freezer_.look(row); },
-                              .after = [this](std::uint32_t row) { observe(row); }});
-        world_.counts.times[Stage::sphereSphere] += seconds;
-        freezing -= seconds;
-        sets_.observeSolver(1e3 * seconds);
+            const StageTimer timer(world_.counts.times, Stage::sphereSphere);
+            solver_.resolve(world_.clock.dt, [this](std::uint32_t row) { observe(row); });
+        }
+        sets_.observeSolver(1e3 * (total - before));
     }
     countTests();
     observeEnergy();
@@ -222,14 +214,6 @@ void FastEngine::solve()
     {
         world_.pull = world_.motion.pullAt(world_.clock.time - world_.motionStart);
     }
-}
-
-// Whether the window ends with this step, and nothing but those that push each other may keep a
-// runner from being frozen.
-bool FastEngine::looksAhead()
-{
-    return threads_.concurrency() > 1 && stepsInWindow_ + 1 >= windowSteps_ && !waker_.isMoving() &&
-           sets_.keepsAllSleepy() && freezer_.startLooking();
 }
 
 void FastEngine::freezeAndWake()

@@ -37,7 +37,6 @@ private:
     void finish();
 
     [[nodiscard]] std::size_t release(std::size_t wanted);
-    [[nodiscard]] bool looksAhead();
     void observe(std::uint32_t row);
     void countTests();
     void observeEnergy();

@@ -43,38 +43,10 @@ void Freezer::startWindow()
     }
 }
 
-bool Freezer::startLooking()
-{
-    looksAhead_ = !isPile();
-    if (looksAhead_)
-    {
-        forgetLooks();
-    }
-    return looksAhead_;
-}
-
-void Freezer::forgetLooks()
+void Freezer::freeze(SetSchedule& sets)
 {
     carriedAt_.resize(running_.size());
     stale_.resize(running_.size());
-    looks_.assign(running_.size(), Look::none);
-}
-
-bool Freezer::watchAhead(std::uint32_t row)
-{
-    watchRow(row);
-    const bool sleepy = isSleepy(row);
-    looks_[row] = sleepy ? Look::sleepy : Look::awake;
-    return sleepy && !isOverdue(row);
-}
-
-void Freezer::freeze(SetSchedule& sets)
-{
-    if (!looksAhead_)
-    {
-        forgetLooks();
-    }
-    looksAhead_ = false;
     findSleepy();
     sets.endWindow(watch_.all(), sleepy_);
     if (sleepy_.empty())
@@ -113,12 +85,8 @@ void Freezer::findSleepy()
     sleepy_.clear();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        if (looks_[row] == Look::none)
-        {
-            watchRow(row);
-            looks_[row] = isSleepy(row) ? Look::missed : Look::awake;
-        }
-        if (looks_[row] != Look::awake)
+        watchRow(row);
+        if (watch_[row].stillWindows > 0 || isOverdue(row))
         {
             sleepy_.push_back(row);
         }
@@ -127,9 +95,8 @@ void Freezer::findSleepy()
     std::sort(sleepy_.begin(), sleepy_.end(),
               [&](std::uint32_t a, std::uint32_t b)
               {
-                  // Who has been looked at may have been moved since.
-                  const auto order = std::weak_order(-watch_[a].start.dot(down),
-                                                     -watch_[b].start.dot(down)); // NaN as well
+                  const auto order = std::weak_order(-running_.position[a].dot(down),
+                                                     -running_.position[b].dot(down)); // NaN, too
                   return order < 0 || (order == 0 && a < b);
               });
 }
@@ -161,12 +128,10 @@ void Freezer::freezeTogether(std::uint32_t stillWindows)
     }
 }
 
-// The lowest first, so that a pile freezes from below. Places are looked for on all threads at once
-// among what was at rest before; one beside which something has come to rest since waits for the
-// next window.
+// The lowest first, so that a pile freezes from below.
 void Freezer::freezeOneByOne()
 {
-    lookAtSleepy();
+    findPlaces();
     for (const std::uint32_t row : sleepy_)
     {
         if (running_.isGone(row))
@@ -188,45 +153,21 @@ void Freezer::freezeOneByOne()
     }
 }
 
-void Freezer::lookAtSleepy()
+// All threads look for places, among the spheres that are at rest before any of these freezes. A
+// sphere waits for the next window when another one has frozen beside it since. An overdue sphere
+// may go far, where it is not told of others, so its place is found in its turn.
+void Freezer::findPlaces()
 {
-    unseen_.clear();
-    for (const std::uint32_t row : sleepy_)
+    const auto find = [this](std::size_t i)
     {
-        // One that is overdue may go far, where it would not be told of others.
+        const std::uint32_t row = sleepy_[i];
         stale_[row] = isOverdue(row) ? 1 : 0;
-        if (stale_[row] == 0 && looks_[row] == Look::missed && !running_.isGone(row))
+        if (stale_[row] == 0 && !running_.isGone(row))
         {
-            unseen_.push_back(row);
+            findPlace(row);
         }
-    }
-    threads_.forEach(
-        unseen_.size(), [&](std::size_t i) { findPlace(unseen_[i]); }, kWorthSharing);
-    if (threads_.concurrency() > 1)
-    {
-        lookForRoom();
-    }
-}
-
-// The first look costs little, and most overlap nobody. To get out of a wedge takes long.
-void Freezer::lookForRoom()
-{
-    resolver_.makeReady(running_.size());
-    blocked_.clear();
-    for (const std::uint32_t row : sleepy_)
-    {
-        if (stale_[row] == 0 && carriedAt_[row] && !running_.isGone(row) &&
-            resolver_.lookForOverlapped(row, restingAt(row)))
-        {
-            blocked_.push_back(row);
-        }
-    }
-    threads_.forEachLarge(blocked_.size(),
-                          [&](std::size_t i)
-                          {
-                              const std::uint32_t row = blocked_[i];
-                              resolver_.lookForRoom(row, restingAt(row), farthestRoom(row));
-                          });
+    };
+    threads_.forEach(sleepy_.size(), find, kWorthSharing);
 }
 
 // Where the runner would be frozen. One that is overdue is frozen wherever it gets.
@@ -264,10 +205,10 @@ void Freezer::findPlace(std::uint32_t row)
 // Leaves the runner running when others are in the way.
 void Freezer::tryFreeze(std::uint32_t row, bool insist)
 {
-    const PlacedSphere resting = restingAt(row);
+    const PlacedSphere resting = {*carriedAt_[row], running_.radius[row]};
     const bool tooOld = isOverdue(row);
-    const double farthest = insist ? kFarRoom : farthestRoom(row);
-    const bool room = resolver_.moveAside(row, resting, farthest);
+    const bool mayGoFar = insist || tooOld || watch_[row].stillWindows > kBlocked;
+    const bool room = resolver_.moveAside(row, resting, mayGoFar ? kFarRoom : kNearRoom);
     if (!room && !insist && !tooOld && watch_[row].stillWindows <= kBlockedForGood)
     {
         return;

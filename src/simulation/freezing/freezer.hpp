@@ -33,13 +33,6 @@ public:
     void age(std::uint32_t row, double dt);
     /// Windows begin where the runners are now.
     void startWindow();
-    /// At the end of a window some runners may be looked at before freeze(), while others still
-    /// move, unless piles freeze together. To be called first.
-    [[nodiscard]] bool startLooking();
-    /// Watches a runner that nobody will move any more in this window, and returns whether it is to
-    /// be looked at, too. On any thread.
-    bool watchAhead(std::uint32_t row);
-    void look(std::uint32_t row) { findPlace(row); }
     /// To be called at the end of each window.
     void freeze(SetSchedule& sets);
 
@@ -53,36 +46,12 @@ private:
         bool together;
     };
 
-    /// What is known of a runner at the end of a window.
-    enum class Look : char
-    {
-        none,
-        awake,
-        sleepy, ///< and where it would be frozen has been looked for
-        missed  ///< sleepy, but that has not been looked for
-    };
-
-    void forgetLooks();
     void watchRow(std::uint32_t row);
-    [[nodiscard]] bool isSleepy(std::uint32_t row) const
-    {
-        return watch_[row].stillWindows > 0 || isOverdue(row);
-    }
     void findSleepy();
     void freezeTogether(std::uint32_t stillWindows);
     void freezeOneByOne();
-    void lookAtSleepy();
-    void lookForRoom();
+    void findPlaces();
     void findPlace(std::uint32_t row);
-    [[nodiscard]] PlacedSphere restingAt(std::uint32_t row) const
-    {
-        return {*carriedAt_[row], running_.radius[row]};
-    }
-    /// That others may be moved out of its place [their r].
-    [[nodiscard]] double farthestRoom(std::uint32_t row) const
-    {
-        return isOverdue(row) || watch_[row].stillWindows > kBlocked ? kFarRoom : kNearRoom;
-    }
     void tryFreeze(std::uint32_t row, bool insist = false);
     void wakeUncarried();
     /// Tells the runners nearby that a sphere has come to rest.
@@ -108,11 +77,7 @@ private:
     // By row, at the end of a window.
     std::vector<std::optional<Eigen::Vector3d>> carriedAt_; ///< where what is at rest carries it
     std::vector<char> stale_; ///< something has come to rest, or has moved, since that was found
-    std::vector<Look> looks_; ///< what is known of it
-    bool looksAhead_ = false; ///< something may be known before the window ends
     std::vector<std::uint32_t> sleepy_;   ///< runners to be frozen, the lowest first
-    std::vector<std::uint32_t> unseen_;   ///< of these, those for which a place is to be looked for
-    std::vector<std::uint32_t> blocked_;  ///< of these, those whose place others are in
     std::vector<std::uint32_t> together_; ///< those of an island, the lowest first
     std::vector<Frozen> frozen_;
 };

@@ -15,7 +15,6 @@ class OneByOne final : public FreezingPart
 {
 public:
     void select(const SetProgress&, std::span<RestWatch>, std::vector<std::uint32_t>&) override {}
-    [[nodiscard]] bool keepsAllSleepy() const override { return true; }
     [[nodiscard]] bool allowsRelease(const SetProgress& set) const override
     {
         const double few = kStillRunning * static_cast<double>(set.size);

@@ -43,8 +43,6 @@ public:
     /// whose spheres are calm or overdue, the lowest sphere first.
     virtual void select(const SetProgress& set, std::span<RestWatch> running,
                         std::vector<std::uint32_t>& sleepy) = 0;
-    /// Whether it never takes one out. Then sleepy ones may be looked at before the window ends.
-    [[nodiscard]] virtual bool keepsAllSleepy() const { return false; }
 
     /// Whether spheres are to appear while others run.
     [[nodiscard]] virtual bool allowsRelease(const SetProgress& set) const = 0;

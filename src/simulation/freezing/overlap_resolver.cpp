@@ -6,31 +6,13 @@
 #include "simulation/freezing/tolerances.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 namespace frostfill
 {
 
-bool OverlapResolver::lookForOverlapped(std::uint32_t row, const PlacedSphere& resting)
+void OverlapResolver::findOverlapped(std::uint32_t row, const PlacedSphere& resting)
 {
-    Room& room = ahead_[row];
-    findOverlapped(row, resting, room.overlapped);
-    room.lookedAt = grid_.buildCount();
-    return !room.overlapped.empty();
-}
-
-void OverlapResolver::lookForRoom(std::uint32_t row, const PlacedSphere& resting, double farthest)
-{
-    Room& room = ahead_[row];
-    findRoom(resting, farthest, room);
-    room.atRest = world_.spheres.resting().size();
-    room.foundAt = grid_.buildCount();
-}
-
-void OverlapResolver::findOverlapped(std::uint32_t row, const PlacedSphere& resting,
-                                     std::vector<std::uint32_t>& overlapped) const
-{
-    overlapped.clear();
+    overlapped_.clear();
     grid_.forEachNear(resting.place, resting.radius + 1,
                       [&](std::uint32_t k, const Eigen::Vector3d& p, double radiusThere)
                       {
@@ -38,101 +20,37 @@ void OverlapResolver::findOverlapped(std::uint32_t row, const PlacedSphere& rest
                           if (k != row && !running_.isGone(k) &&
                               (p - resting.place).squaredNorm() < contact * contact)
                           {
-                              overlapped.push_back(k);
+                              overlapped_.push_back(k);
                           }
                       });
-    std::sort(overlapped.begin(), overlapped.end());
-}
-
-void OverlapResolver::findRoom(const PlacedSphere& resting, double farthest, Room& room) const
-{
-    room.from.clear();
-    room.to.clear();
-    room.found = true;
-    for (std::size_t i = 0; room.found && i < room.overlapped.size(); ++i)
-    {
-        const std::uint32_t k = room.overlapped[i];
-        const double radius = running_.radius[k];
-        room.from.push_back(running_.position[k]);
-        room.to.push_back(running_.position[k]);
-        room.found = depenetrate(world_, resting, room.to.back(), radius, farthest * radius,
-                                 kMovesOutOfWedge);
-    }
-}
-
-// Nobody that is asked for has moved, and nothing that has come to rest since lies where one of
-// them would look for obstacles.
-bool OverlapResolver::stillHolds(const Room& ahead, double farthest) const
-{
-    if (ahead.foundAt != grid_.buildCount() || ahead.overlapped != room_.overlapped)
-    {
-        return false;
-    }
-    const SphereGrid& resting = world_.spheres.resting();
-    for (std::size_t i = 0; i < ahead.from.size(); ++i)
-    {
-        const std::uint32_t k = ahead.overlapped[i];
-        if (running_.position[k] != ahead.from[i])
-        {
-            return false;
-        }
-        const double reach = (1 + farthest) * running_.radius[k];
-        for (std::size_t newer = ahead.atRest; newer < resting.size(); ++newer)
-        {
-            const Ball& ball = resting[static_cast<std::uint32_t>(newer)];
-            if (isWithin(ball.position(), ahead.from[i], reach + ball.radius))
-            {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-// As long as none has been put elsewhere, those in the way are those that were, without those that
-// have come to rest.
-void OverlapResolver::findOverlapped(std::uint32_t row, const PlacedSphere& resting)
-{
-    if (row >= ahead_.size() || ahead_[row].lookedAt != grid_.buildCount() ||
-        stirredAt_ == grid_.buildCount())
-    {
-        findOverlapped(row, resting, room_.overlapped);
-        return;
-    }
-    room_.overlapped.clear();
-    std::copy_if(ahead_[row].overlapped.begin(), ahead_[row].overlapped.end(),
-                 std::back_inserter(room_.overlapped),
-                 [this](std::uint32_t k) { return !running_.isGone(k); });
+    std::sort(overlapped_.begin(), overlapped_.end());
 }
 
 bool OverlapResolver::moveAside(std::uint32_t row, const PlacedSphere& resting, double farthest)
 {
     findOverlapped(row, resting);
-    if (room_.overlapped.empty())
+    to_.clear();
+    for (const std::uint32_t k : overlapped_)
     {
-        return true;
+        const double radius = running_.radius[k];
+        Eigen::Vector3d& place = to_.emplace_back(running_.position[k]);
+        if (!depenetrate(world_, resting, place, radius, farthest * radius, kMovesOutOfWedge))
+        {
+            return false;
+        }
     }
-    if (row < ahead_.size() && stillHolds(ahead_[row], farthest))
+    for (std::size_t i = 0; i < to_.size(); ++i)
     {
-        room_.to = ahead_[row].to;
-        room_.found = ahead_[row].found;
+        put(overlapped_[i], to_[i]);
     }
-    else
-    {
-        findRoom(resting, farthest, room_);
-    }
-    for (std::size_t i = 0; room_.found && i < room_.overlapped.size(); ++i)
-    {
-        put(room_.overlapped[i], room_.to[i]);
-    }
-    return room_.found;
+    return true;
 }
 
 void OverlapResolver::evict()
 {
     const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
                                 { return grid_.isClear(place, radius); }};
-    for (const std::uint32_t k : room_.overlapped)
+    for (const std::uint32_t k : overlapped_)
     {
         const double radius = running_.radius[k];
         Eigen::Vector3d clear = running_.position[k];
@@ -144,7 +62,6 @@ void OverlapResolver::evict()
         {
             running_.restart(k, *elsewhere);
             grid_.move(k, *elsewhere);
-            stirredAt_ = grid_.buildCount();
         }
         else
         {
@@ -158,16 +75,11 @@ void OverlapResolver::put(std::uint32_t row, const Eigen::Vector3d& place)
     running_.position[row] = place;
     flight_.around(row).invalidate(); // what comes to rest is told where it is now
     grid_.move(row, place);
-    stirredAt_ = grid_.buildCount();
 }
 
 void OverlapResolver::withdraw(std::uint32_t row)
 {
     world_.spheres.withdraw(running_.id[row]);
-    for (Room& room : ahead_)
-    {
-        room.foundAt = 0; // what is at rest may be met in another order now
-    }
 }
 
 } // namespace frostfill

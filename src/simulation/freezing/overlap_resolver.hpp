@@ -5,7 +5,7 @@
 #include "simulation/freezing/rest_observers.hpp"
 #include "simulation/motion/free_flight.hpp"
 
-#include <algorithm>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -22,16 +22,9 @@ public:
     {
     }
 
-    /// Finds out ahead, on any thread, which runners moveAside() will meet, and returns whether
-    /// there are any. makeReady() comes before, for so many runners.
-    bool lookForOverlapped(std::uint32_t row, const PlacedSphere& resting);
-    /// After that, where they can go among what is at rest now.
-    void lookForRoom(std::uint32_t row, const PlacedSphere& resting, double farthest);
-    void makeReady(std::size_t runners) { ahead_.resize(std::max(runners, ahead_.size())); }
-
     /// Moves the runners that a sphere at this place, itself in this row, would overlap to clear
     /// places at most `farthest` [own radius] away. Returns false, and moves none, when one of them
-    /// cannot be moved. What was found out ahead is taken if it still holds.
+    /// cannot be moved.
     [[nodiscard]] bool moveAside(std::uint32_t row, const PlacedSphere& resting, double farthest);
 
     /// The last resort after moveAside has failed and the sphere is at rest all the same: the
@@ -39,27 +32,10 @@ public:
     void evict();
 
     /// Rows of those that were in the way at last, ascending.
-    [[nodiscard]] std::span<const std::uint32_t> overlapped() const { return room_.overlapped; }
+    [[nodiscard]] std::span<const std::uint32_t> overlapped() const { return overlapped_; }
 
 private:
-    /// Where those can go that a sphere overlaps.
-    struct Room
-    {
-        std::vector<std::uint32_t> overlapped; ///< their rows, ascending
-        std::vector<Eigen::Vector3d> from;     ///< where they are, as far as is known
-        std::vector<Eigen::Vector3d> to;       ///< where they can be put
-        bool found = false;                    ///< for each of them
-        std::size_t atRest = 0;                ///< spheres among which that was found
-        // Builds of the grid at which that was found out, and which were in the way. 0: not yet.
-        std::uint64_t foundAt = 0;
-        std::uint64_t lookedAt = 0;
-    };
-
     void findOverlapped(std::uint32_t row, const PlacedSphere& resting);
-    void findOverlapped(std::uint32_t row, const PlacedSphere& resting,
-                        std::vector<std::uint32_t>& overlapped) const;
-    void findRoom(const PlacedSphere& resting, double farthest, Room& room) const;
-    [[nodiscard]] bool stillHolds(const Room& ahead, double farthest) const;
     void put(std::uint32_t row, const Eigen::Vector3d& place);
     void withdraw(std::uint32_t row);
 
@@ -68,9 +44,8 @@ private:
     RunnerGrid& grid_;
     FreeFlight& flight_;
     RestObservers& observers_;
-    std::vector<Room> ahead_;     ///< [#runners]
-    Room room_;                   ///< of the sphere whose turn it is
-    std::uint64_t stirredAt_ = 0; ///< build of the grid in which a runner was last put elsewhere
+    std::vector<std::uint32_t> overlapped_;
+    std::vector<Eigen::Vector3d> to_; ///< where those can be put
 };
 
 } // namespace frostfill

@@ -33,9 +33,6 @@ public:
     /// See FreezingPart::keepsSets.
     [[nodiscard]] bool keepsSets() const { return rule_->keepsSets(); }
 
-    /// See FreezingPart::keepsAllSleepy.
-    [[nodiscard]] bool keepsAllSleepy() const { return rule_->keepsAllSleepy(); }
-
     /// Begins the record of a set of so many spheres; that of the set before ends.
     void openRecord(std::size_t spheres);
     /// Takes one step's milliseconds between spheres into the record. Walls are met in flight.

@@ -3,6 +3,7 @@
 
 #include "simulation/contact/contact.hpp"
 #include "simulation/contact/contact_cone.hpp"
+#include "simulation/contact/depenetration.hpp"
 #include "simulation/contact/sphere_cast.hpp"
 #include "simulation/motion/tolerances.hpp"
 #include "simulation/motion/vertical_drop.hpp"
@@ -53,7 +54,7 @@ double flatness(const NeighbourList& around, const Eigen::Vector3d& p, double ra
 } // namespace
 
 bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& around, double farthest,
-                         Footprint* seen) const
+                         Eigen::AlignedBox3d* seen) const
 {
     const Path path{radius, around, seen};
     const Eigen::Vector3d start = p;
@@ -89,13 +90,13 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     return false;
 }
 
-// A list that is up to date was looked for before, and is in the footprint already.
+// A list that is up to date was looked for before, and is in the box already.
 void DropAndRoll::look(const Path& path, const Eigen::Vector3d& p, double ahead) const
 {
     const bool anew = path.around.ensure(world_, p, path.radius, ahead);
     if (anew && path.seen != nullptr)
     {
-        path.seen->addBall(p, path.radius + NeighbourList::kSkin);
+        addSeen(*path.seen, p, path.radius + NeighbourList::kSkin);
     }
 }
 
@@ -109,12 +110,14 @@ bool DropAndRoll::fall(Eigen::Vector3d& p, const Path& path, const Eigen::Vector
     return true;
 }
 
-bool DropAndRoll::drop(Eigen::Vector3d& p, double radius, Footprint* seen) const
+bool DropAndRoll::drop(Eigen::Vector3d& p, double radius, Eigen::AlignedBox3d* seen) const
 {
     const std::optional<double> y = contactBelow(world_, falls_, p, radius);
     if (seen != nullptr)
     {
-        seen->addFall(p, radius, y.value_or(-std::numeric_limits<double>::infinity()));
+        addSeen(*seen, p, radius);
+        const double end = y.value_or(-std::numeric_limits<double>::infinity());
+        addSeen(*seen, {p.x(), end, p.z()}, radius);
     }
     p.y() = y.value_or(p.y());
     return y.has_value();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/contact/footprint.hpp"
 #include "simulation/contact/neighbour_list.hpp"
 #include "simulation/motion/fall_index.hpp"
 #include "simulation/world/world.hpp"
@@ -31,13 +30,14 @@ public:
     }
     /// The same with a neighbourhood of the caller's, which is up to date or invalid. False also
     /// when the place would be farther than `farthest` from p. Several threads may settle spheres
-    /// at once, each with a neighbourhood of its own. `seen`, if given, grows by where this looks.
+    /// at once, each with a neighbourhood of its own. `seen`, if given, grows by where this looks
+    /// for spheres at rest (see addSeen).
     [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius, NeighbourList& around,
                               double farthest = std::numeric_limits<double>::infinity(),
-                              Footprint* seen = nullptr) const;
+                              Eigen::AlignedBox3d* seen = nullptr) const;
 
     /// Takes p straight down to its first contact. False, and p stays, where there is none.
-    bool drop(Eigen::Vector3d& p, double radius, Footprint* seen = nullptr) const;
+    bool drop(Eigen::Vector3d& p, double radius, Eigen::AlignedBox3d* seen = nullptr) const;
 
 private:
     /// Who moves, and what is known of where.
@@ -45,7 +45,7 @@ private:
     {
         double radius;
         NeighbourList& around;
-        Footprint* seen;
+        Eigen::AlignedBox3d* seen;
     };
     /// Where gravity leads among the contacts.
     struct Slope

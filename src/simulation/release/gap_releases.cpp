@@ -87,7 +87,7 @@ std::optional<PlacedSphere> GapReleases::next(const ReleaseQuery& query)
             drawn_ = radiusOfDraw(++draws_);
         }
         const double radius = *drawn_;
-        if (const auto place = sites_->findLasting(radius, query))
+        if (const auto place = sites_->find(radius, query))
         {
             ++classes_[current_].placed;
             drawn_.reset();
@@ -104,7 +104,7 @@ std::optional<PlacedSphere> GapReleases::next(const ReleaseQuery& query)
 
 std::optional<Eigen::Vector3d> GapReleases::place(double radius, const ReleaseQuery& query)
 {
-    return ReleaseSites(world_, radius, -1, threads_).findLasting(radius, query);
+    return ReleaseSites(world_, radius, -1, threads_).find(radius, query);
 }
 
 void GapReleases::close(const Eigen::Vector3d& centre, double radius)

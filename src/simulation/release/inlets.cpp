@@ -82,7 +82,7 @@ std::optional<Eigen::Vector3d> Inlets::place(double radius, const ReleaseQuery& 
     for (int misses = 0; misses < kMaxMissesInInlets; ++misses)
     {
         Eigen::Vector3d p = draw(radius);
-        Footprint unused;
+        Eigen::AlignedBox3d unused;
         if (isClear(p, radius) && (!query.prepare || query.prepare(p, radius, unused)) &&
             query.suits(p, radius))
         {

@@ -33,7 +33,6 @@ std::size_t releaseAmong(const RunningSpheres& runners, RunnerGrid& grid, std::s
     query.suits = [&grid](const Eigen::Vector3d& place, double radius)
     { return grid.isClear(place, radius); };
     grid.rebuild(runners);
-    query.search = grid.buildCount(); // there will only be more of them
     std::size_t found = 0;
     while (found < wanted && !stop.isAsked())
     {

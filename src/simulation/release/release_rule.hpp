@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "simulation/contact/footprint.hpp"
 #include "simulation/contact/runner_grid.hpp"
 #include "simulation/world/world.hpp"
 
@@ -18,17 +17,15 @@ namespace frostfill
 struct ReleaseQuery
 {
     /// Takes a place to where the sphere is to appear, and returns whether it can stay there; if
-    /// not, the place is given up. Adds to `seen` where it looks for spheres at rest. When empty,
-    /// the place is taken as it is.
-    std::function<bool(Eigen::Vector3d& place, double radius, Footprint& seen)> prepare = {};
+    /// not, the place is given up. Adds to `seen` where it looks for spheres at rest (see addSeen).
+    /// When empty, the place is taken as it is.
+    std::function<bool(Eigen::Vector3d& place, double radius, Eigen::AlignedBox3d& seen)> prepare =
+        {};
     /// Whether the sphere can appear at the place so prepared now. Later it may.
     std::function<bool(const Eigen::Vector3d& place, double radius)> suits = {};
     /// How many places in a row may be prepared ahead of their time, on several threads at once;
-    /// `prepare` and `suits` then change nothing else. [1]
+    /// `prepare` then changes nothing else. The answer is the same for any. [1]
     std::size_t ahead = 0;
-    /// A number for all questions between which a place that does not suit will not begin to; 0
-    /// where that cannot be said.
-    std::uint64_t search = 0;
     /// Whether to give up for now after many places in a row that do not suit. Otherwise a place is
     /// found if there is one.
     bool givesUp = false;

@@ -2,7 +2,7 @@
 #include "simulation/release/release_sites.hpp"
 
 #include "base/random.hpp"
-#include "simulation/contact/depenetration.hpp"
+#include "simulation/contact/contact.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,7 +13,7 @@ namespace frostfill
 ReleaseSites::ReleaseSites(const World& world, double radius, double band, Threads& threads,
                            double coarsest)
     : world_(world), threads_(threads), radius_(radius),
-      sites_(world.surface, world.inside, radius, threads, kSmallLattice, coarsest)
+      sites_(world.surface, world.inside, radius, threads, coarsest)
 {
     if (band >= 0)
     {
@@ -38,26 +38,159 @@ void ReleaseSites::findCeilings(double band)
     window_ = static_cast<std::size_t>(ceilings_.end() - first);
 }
 
-// Closes cell by cell of the grid, so that what is closed one after another lies close together in
-// memory. On several threads every other slab of cells first, then those between: spheres of one
-// slab close no sites that share a word with those of the next but one.
-void ReleaseSites::startSweep()
+// Ceilings are few: whether something rests in one is looked up when it is drawn.
+void ReleaseSites::close(const Eigen::Vector3d& centre, double radius)
 {
     if (sweeping_)
     {
-        return;
+        sites_.close(centre, radius);
     }
-    sweeping_ = true;
-    const SphereGrid& resting = world_.spheres.resting();
-    const std::array<int, 3>& count = resting.frame().count;
-    const auto closeSlab = [&](int slab)
+    for (std::uint64_t number = draws_ + 1; number <= lastExpected_; ++number)
     {
-        const int end = std::min(count[2], (slab + 1) * kSlabThickness);
-        resting.forEachInLayers(slab * kSlabThickness, end - 1,
-                                [&](std::uint32_t row)
-                                { sites_.close(resting[row].position(), resting[row].radius); });
+        Draw& draw = batch_[number % kBatch];
+        draw.isKnown = draw.isKnown && !draw.seen.contains(centre);
+    }
+}
+
+std::optional<Eigen::Vector3d> ReleaseSites::find(double radius, const ReleaseQuery& query,
+                                                  const std::function<void()>& computeAhead)
+{
+    for (const bool highOnly : {true, false})
+    {
+        highOnly_ = highOnly;
+        for (int misses = 0; misses < kMaxMisses && !ceilings_.empty() && !query.isStopped();)
+        {
+            const Draw draw = nextDraw(radius, query, computeAhead);
+            endDraw(draw);
+            if (draw.stays && query.suits(draw.place, radius))
+            {
+                return draw.place;
+            }
+            misses += draw.stays ? 1 : 0; // else a ceiling goes, which ends by itself
+        }
+    }
+    return ceilings_.empty() ? sweep(radius, query) : std::nullopt;
+}
+
+bool ReleaseSites::any()
+{
+    return find(radius_, {.suits = [](const Eigen::Vector3d&, double) { return true; }})
+        .has_value();
+}
+
+std::size_t ReleaseSites::ceilingOf(std::uint64_t draw) const
+{
+    const double choice = uniformRandom(world_.scene.seed, draw, 0);
+    const auto among = static_cast<double>(highOnly_ ? window_ : ceilings_.size());
+    return ceilings_.size() - 1 - static_cast<std::size_t>(choice * among);
+}
+
+Draw* ReleaseSites::expect(std::uint64_t n, double radius)
+{
+    const std::uint64_t number = draws_ + 1 + n;
+    if (ceilings_.empty() || number / kBatch != (draws_ + 1) / kBatch)
+    {
+        return nullptr;
+    }
+    batch_.resize(kBatch);
+    Draw& draw = batch_[number % kBatch];
+    const std::uint32_t site = ceilings_[ceilingOf(number)];
+    if (!draw.is(number, site, radius))
+    {
+        draw = {.number = number, .site = site, .radius = radius};
+    }
+    lastExpected_ = std::max(lastExpected_, number);
+    return &draw;
+}
+
+Draw ReleaseSites::nextDraw(double radius, const ReleaseQuery& query,
+                            const std::function<void()>& computeAhead)
+{
+    if (!computeAhead)
+    {
+        const std::uint64_t number = draws_ + 1;
+        Draw draw = {.number = number, .site = ceilings_[ceilingOf(number)], .radius = radius};
+        compute(draw, query);
+        return draw;
+    }
+    Draw& next = *expect(0, radius);
+    if (!next.isKnown)
+    {
+        computeAhead();
+    }
+    next.isClear = next.isClear && sites_.isOpen(next.site); // an earlier draw may have closed it
+    next.stays = next.stays && next.isClear;
+    return next;
+}
+
+void ReleaseSites::endDraw(const Draw& draw)
+{
+    draws_ = draw.number;
+    if (!draw.stays)
+    {
+        ended_.push_back(ceilingOf(draws_));
+        if (!draw.isClear)
+        {
+            sites_.closeSite(draw.site);
+        }
+    }
+    if ((draws_ + 1) % kBatch == 0)
+    {
+        removeEnded();
+    }
+}
+
+// The next lower ceiling takes the place of an ended one in the window.
+void ReleaseSites::removeEnded()
+{
+    std::sort(ended_.begin(), ended_.end(), std::greater<>());
+    ended_.erase(std::unique(ended_.begin(), ended_.end()), ended_.end());
+    for (const std::size_t index : ended_)
+    {
+        ceilings_[index] = ceilings_.back();
+        ceilings_.pop_back();
+    }
+    ended_.clear();
+    window_ = std::min(window_, ceilings_.size());
+}
+
+void ReleaseSites::compute(Draw& draw, const ReleaseQuery& query) const
+{
+    draw.seen.setEmpty();
+    draw.isClear = false;
+    addSeen(draw.seen, sites_.centre(draw.site), radius_);
+    if (!isTaken(draw.site)) // else nothing is ever released there
+    {
+        computePlace(draw);
+    }
+    draw.stays =
+        draw.isClear && (!query.prepare || query.prepare(draw.place, draw.radius, draw.seen));
+    draw.isKnown = true;
+}
+
+// A clear place at a random point of the ceiling, or at its middle.
+void ReleaseSites::computePlace(Draw& draw) const
+{
+    const Eigen::Vector3d middle = sites_.centre(draw.site);
+    const auto findNear = [&](const Eigen::Vector3d& p, double within, Start start)
+    {
+        draw.place = p;
+        addSeen(draw.seen, p, radius_ + within);
+        return depenetrate(world_, draw.place, radius_, within, kMoves, start);
     };
-    forEachSlab(threads_, (count[2] + kSlabThickness - 1) / kSlabThickness, closeSlab);
+    const std::uint64_t seed = world_.scene.seed;
+    Eigen::Vector3d p = middle;
+    // By at most half a cell along two axes.
+    p.x() += sites_.cell() * (uniformRandom(seed, draw.number, 1) - 0.5);
+    p.z() += sites_.cell() * (uniformRandom(seed, draw.number, 2) - 0.5);
+    draw.isClear = findNear(p, radius_, startWithin(sites_.cell())) ||
+                   findNear(middle, farthest(), startWithin(0));
+}
+
+// A site was opened inside, where walls are farther away than this.
+Start ReleaseSites::startWithin(double way) const
+{
+    return way < sites_.depth() ? Start::inside : Start::anywhere;
 }
 
 // Whether the site was closed, or a sphere at rest leaves no place in its cell, as
@@ -83,116 +216,68 @@ bool ReleaseSites::isTaken(std::size_t site) const
     return taken;
 }
 
-// The next lower one takes its place in the window.
-void ReleaseSites::dropCeiling(std::size_t index)
+// Closes cell by cell of the grid, so that what is closed one after another lies close together in
+// memory. On several threads every other slab of cells first, then those between: spheres of one
+// slab close no sites that share a word with those of the next but one.
+void ReleaseSites::startSweep()
 {
-    ceilings_[index] = ceilings_.back();
-    ceilings_.pop_back();
-    window_ = std::min(window_, ceilings_.size());
-}
-
-std::optional<ReleaseSites::Found> ReleaseSites::find(double radius, const ReleaseQuery& query,
-                                                      const std::function<void()>& lookAhead)
-{
-    for (const bool highOnly : {true, false})
+    if (sweeping_)
     {
-        highOnly_ = highOnly;
-        for (int misses = 0; misses < kMaxMisses && !ceilings_.empty() && !query.isStopped();)
-        {
-            const Draw& draw = take(nextDraw(radius, query, lookAhead));
-            const bool isBlocked = query.search != 0 && draw.blockedIn == query.search;
-            if (draw.place && (!draw.stays || (!isBlocked && query.suits(*draw.place, radius))))
-            {
-                return Found{*draw.place, draw.stays};
-            }
-            misses += draw.place ? 1 : 0; // else a ceiling is forgotten, which ends by itself
-        }
+        return;
     }
-    return ceilings_.empty() ? sweep(radius, query) : std::nullopt;
-}
-
-std::optional<Eigen::Vector3d> ReleaseSites::findLasting(double radius, const ReleaseQuery& query,
-                                                         const std::function<void()>& lookAhead)
-{
-    while (const auto found = find(radius, query, lookAhead))
+    sweeping_ = true;
+    const SphereGrid& resting = world_.spheres.resting();
+    const std::array<int, 3>& count = resting.frame().count;
+    const auto closeSlab = [&](int slab)
     {
-        if (found->stays)
-        {
-            return found->place;
-        }
-        giveUp();
-    }
-    return std::nullopt;
+        const int end = std::min(count[2], (slab + 1) * kSlabThickness);
+        resting.forEachInLayers(slab * kSlabThickness, end - 1,
+                                [&](std::uint32_t row)
+                                { sites_.close(resting[row].position(), resting[row].radius); });
+    };
+    forEachSlab(threads_, (count[2] + kSlabThickness - 1) / kSlabThickness, closeSlab);
 }
 
-std::optional<ReleaseSites::Found> ReleaseSites::sweep(double radius, const ReleaseQuery& query)
+std::optional<Eigen::Vector3d> ReleaseSites::sweep(double radius, const ReleaseQuery& query)
 {
     startSweep();
     sweep_ = sites_.nextOpen(sweep_);
-    int misses = 0;
     std::size_t first = sweep_;
     if (scattered_)
     {
         const double share = uniformRandom(world_.scene.seed, ++draws_, kGapDraw);
-        first =
-            sites_.nextOpen(static_cast<std::size_t>(share * static_cast<double>(sites_.end())));
-        first = first < sites_.end() ? first : sweep_;
+        first = static_cast<std::size_t>(share * static_cast<double>(sites_.end()));
     }
-    for (std::size_t site = nextFree(first, query);
-         site < sites_.end() && (!query.givesUp || misses < kMaxMisses);
-         site = nextFree(site + 1, query))
-    {
-        Eigen::Vector3d place = place_;
-        Footprint unused;
-        const bool stays = !query.prepare || query.prepare(place, radius, unused);
-        if (!stays || query.suits(place, radius))
-        {
-            lastFree_ = site;
-            return Found{place, stays};
-        }
-        ++misses;
-    }
-    if (scattered_ && first > sweep_)
-    {
-        scattered_ = false; // whatever is before that place
-        std::optional<Found> found = sweep(radius, query);
-        scattered_ = true;
-        return found;
-    }
-    return std::nullopt;
+    const auto found = sweepFrom(first, radius, query);
+    return found || first <= sweep_ ? found : sweepFrom(sweep_, radius, query);
 }
 
-bool ReleaseSites::any()
+// Open sites that turn out to have no place are closed.
+std::optional<Eigen::Vector3d> ReleaseSites::sweepFrom(std::size_t site, double radius,
+                                                       const ReleaseQuery& query)
 {
-    return find(radius_, {.suits = [](const Eigen::Vector3d&, double) { return true; }})
-        .has_value();
-}
-
-// The first open site from `site` on that has a clear place, which becomes place_; sites that turn
-// out to have none are closed. None once the search is stopped.
-std::size_t ReleaseSites::nextFree(std::size_t site, const ReleaseQuery& query)
-{
-    for (site = sites_.nextOpen(site); site < sites_.end() && !query.isStopped();
+    int misses = 0;
+    for (site = sites_.nextOpen(site);
+         site < sites_.end() && !query.isStopped() && !(query.givesUp && misses >= kMaxMisses);
          site = sites_.nextOpen(site + 1))
     {
-        place_ = sites_.centre(site);
-        if (depenetrate(world_, place_, radius_, farthest(), kMoves, startWithin(0)))
+        Eigen::Vector3d place = sites_.centre(site);
+        Eigen::AlignedBox3d unused;
+        if (!depenetrate(world_, place, radius_, farthest(), kMoves, startWithin(0)) ||
+            (query.prepare && !query.prepare(place, radius, unused)))
         {
-            return site;
+            sites_.closeSite(site);
         }
-        sites_.closeSite(site);
+        else if (query.suits(place, radius))
+        {
+            return place;
+        }
+        else
+        {
+            ++misses;
+        }
     }
-    return sites_.end();
-}
-
-void ReleaseSites::giveUp()
-{
-    if (ceilings_.empty())
-    {
-        sites_.closeSite(lastFree_);
-        return;
-    }
-    dropCeiling(lastCeiling_);
+    return std::nullopt;
 }
 
 } // namespace frostfill

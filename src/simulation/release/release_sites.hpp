@@ -3,7 +3,6 @@
 
 #include "base/threads.hpp"
 #include "simulation/contact/depenetration.hpp"
-#include "simulation/release/lookahead.hpp"
 #include "simulation/release/release_rule.hpp"
 #include "simulation/release/site_lattice.hpp"
 #include "simulation/release/tolerances.hpp"
@@ -16,9 +15,34 @@
 namespace frostfill
 {
 
+/// A random point below a ceiling, and where a sphere released there stays.
+struct Draw
+{
+    std::uint64_t number = 0;
+    std::uint32_t site = 0;
+    double radius = 0;             ///< of the sphere [r]
+    bool isKnown = false;          ///< The following is computed and up to date.
+    bool isClear = false;          ///< There is a clear place near the site.
+    bool stays = false;            ///< The sphere can stay at `place`.
+    Eigen::Vector3d place;         ///< after ReleaseQuery::prepare
+    Eigen::AlignedBox3d seen = {}; ///< holds the centres of all spheres that change the result
+
+    /// Whether this is the draw with that number, of that site for that radius.
+    [[nodiscard]] bool is(std::uint64_t its, std::uint32_t itsSite, double itsRadius) const
+    {
+        return number == its && site == itsSite && radius == itsRadius;
+    }
+};
+
 /// Finds one place after another at which a sphere of one radius can be released: first at random
 /// below the object's ceilings, the highest first, then, once nothing fits there, everywhere else
 /// that is still free, so that "full" means that no place is left.
+///
+/// Draws come in batches of kBatch. A ceiling at which nothing fits is removed at the end of the
+/// batch, so the ceilings of all its draws are known from the start. Draws may be computed ahead on
+/// all threads; a sphere that comes to rest in the box that a draw has seen makes the draw stale.
+/// The results are those of one draw after another, whatever is computed ahead [Smith & Pleszkun
+/// 1985].
 class ReleaseSites
 {
 public:
@@ -30,51 +54,27 @@ public:
     ReleaseSites(const World& world, double radius, double band, Threads& threads,
                  double coarsest = 0);
 
-    /// A place that is clear of walls and of spheres at rest, and what came of it.
-    struct Found
-    {
-        Eigen::Vector3d place; ///< prepared
-        bool stays;            ///< otherwise nothing is to be released from there any more
-    };
-
-    /// A place for a sphere of the radius of these sites at most. Places that do not suit now are
-    /// left for later. Empty when there is none. `lookAhead`, if given, finds out the draws that
-    /// expectPlace leads to, the next at least; the answer is the same.
-    [[nodiscard]] std::optional<Found> find(double radius, const ReleaseQuery& query,
-                                            const std::function<void()>& lookAhead = {});
-    /// The same, but for places that do not stay: those are given up, until one does. As no site is
-    /// given up twice, this ends.
+    /// Returns a place for a sphere of the radius of these sites at most, clear of walls and of
+    /// spheres at rest, where it can stay. Places that do not suit now are left for later, places
+    /// where it cannot stay are given up. Empty when there is none. `computeAhead`, if given,
+    /// computes draws that expect() returns, among them the next one; the answer is the same.
     [[nodiscard]] std::optional<Eigen::Vector3d>
-    findLasting(double radius, const ReleaseQuery& query,
-                const std::function<void()>& lookAhead = {});
+    find(double radius, const ReleaseQuery& query, const std::function<void()>& computeAhead = {});
 
-    /// The draw after the last one taken, and further ones when called again, for a sphere of
-    /// `radius`: each comes to a place, as far as is known. None when all ceilings are gone, or too
-    /// many draws are expected. rewind() is to be called before the next search.
-    [[nodiscard]] Draw* expectPlace(double radius);
-    void rewind();
-    /// Finds out what a draw leads to, and whether it suits. On any thread.
-    void lookAhead(Draw& draw, const ReleaseQuery& query) const;
+    /// Returns the draw for a sphere of `radius` that follows after `n` others; none when it is of
+    /// another batch.
+    [[nodiscard]] Draw* expect(std::uint64_t n, double radius);
+    /// Computes the result of a draw, on any thread.
+    void compute(Draw& draw, const ReleaseQuery& query) const;
 
     /// Whether a single place is free now.
     [[nodiscard]] bool any();
 
     /// To be called for each sphere that has come to rest.
-    void close(const Eigen::Vector3d& centre, double radius)
-    {
-        // Ceilings are few: whether something rests in one is looked up when it is drawn.
-        if (sweeping_)
-        {
-            sites_.close(centre, radius);
-        }
-        ahead_.voidNear(centre, radius, draws_);
-    }
+    void close(const Eigen::Vector3d& centre, double radius);
 
     /// From now on, once there are no ceilings, free sites are taken at random and not in order.
     void scatter(bool scattered) { scattered_ = scattered; }
-
-    /// Gives up the site of the last place found, from which no sphere came to rest.
-    void giveUp();
 
 private:
     /// How far from its site a place may be that stands for it.
@@ -82,22 +82,17 @@ private:
     /// What is known of a place so far from an open site.
     [[nodiscard]] Start startWithin(double way) const;
     void findCeilings(double band);
-    void startSweep();
+    [[nodiscard]] std::size_t ceilingOf(std::uint64_t draw) const;
     [[nodiscard]] bool isTaken(std::size_t site) const;
-    void dropCeiling(std::size_t index);
-    [[nodiscard]] std::size_t ceilingOfDraw(std::uint64_t number) const;
-    [[nodiscard]] Draw::Key key(std::uint64_t number, double radius) const
-    {
-        return {number, ceilings_[ceilingOfDraw(number)], radius};
-    }
-    void findOut(Draw& draw, const ReleaseQuery& query) const;
-    void lookAtSite(Draw& draw) const;
-    void findPlace(Draw& draw) const;
-    const Draw& nextDraw(double radius, const ReleaseQuery& query,
-                         const std::function<void()>& lookAhead);
-    const Draw& take(const Draw& draw);
-    [[nodiscard]] std::optional<Found> sweep(double radius, const ReleaseQuery& query);
-    [[nodiscard]] std::size_t nextFree(std::size_t site, const ReleaseQuery& query);
+    void computePlace(Draw& draw) const;
+    [[nodiscard]] Draw nextDraw(double radius, const ReleaseQuery& query,
+                                const std::function<void()>& computeAhead);
+    void endDraw(const Draw& draw);
+    void removeEnded();
+    void startSweep();
+    [[nodiscard]] std::optional<Eigen::Vector3d> sweep(double radius, const ReleaseQuery& query);
+    [[nodiscard]] std::optional<Eigen::Vector3d> sweepFrom(std::size_t site, double radius,
+                                                           const ReleaseQuery& query);
 
     const World& world_;
     Threads& threads_;
@@ -106,27 +101,14 @@ private:
     /// Open sites with none above; the last window_ of them are in use, those before are lower.
     std::vector<std::uint32_t> ceilings_;
     std::size_t window_ = 0;
-    std::size_t lastCeiling_ = 0; ///< index of the one drawn last
+    bool highOnly_ = true;           ///< only ceilings in the window are drawn
+    std::vector<std::size_t> ended_; ///< ceilings at which nothing can be released any more
+    std::uint64_t draws_ = 0;        ///< number of the last draw
+    std::vector<Draw> batch_;        ///< [kBatch] by number; none before one is expected
+    std::uint64_t lastExpected_ = 0; ///< number of the last draw that was expected
     bool scattered_ = false;
-    bool sweeping_ = false;    ///< no ceilings are left, and taken sites are closed
-    std::size_t sweep_ = 0;    ///< all sites before this one are closed
-    std::size_t lastFree_ = 0; ///< the site found last in the sweep
-    Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
-    bool highOnly_ = true;            ///< only ceilings in the window are drawn
-    std::uint64_t draws_ = 0;         ///< number of the last one taken
-    std::uint64_t lastForgotten_ = 0; ///< the last after which a ceiling was forgotten
-    Draw lone_;                       ///< of a search that does not look ahead
-    Lookahead ahead_;
-
-    // Since rewind().
-    std::uint64_t expected_ = 0; ///< draws after the last one taken
-    struct Passed
-    {
-        std::size_t index;
-        std::uint32_t site;
-        std::size_t window; ///< before it
-    };
-    std::vector<Passed> passed_; ///< ceilings that draws have ended that were expected
+    bool sweeping_ = false; ///< no ceilings are left, and taken sites are closed
+    std::size_t sweep_ = 0; ///< all sites before this one are closed
 };
 
 } // namespace frostfill

@@ -53,55 +53,22 @@ Releases::Releases(const World& world, double band, Threads& threads)
     }
 }
 
-// A place at which a sphere cannot stay is given up, and with it the radius. Each round gives up a
-// site or a class, or is the last.
+// The radius is kept until it finds a place: else those with few places would be too few. Each
+// round gives up a class, makes its sites finer for the only time, or is the last.
 std::optional<PlacedSphere> Releases::next(const ReleaseQuery& query)
 {
-    if (ledger_)
-    {
-        return nextOfCurve(query);
-    }
-    while (!classes_.empty())
-    {
-        if (!drawn_)
-        {
-            drawn_ = radiusOfDraw(++draws_);
-        }
-        const double radius = *drawn_;
-        const std::size_t ofClass = classOf(radius);
-        ReleaseSites& sites = *classes_[ofClass].sites;
-        if (const auto found = sites.find(radius, query, lookingAhead(radius, query)))
-        {
-            drawn_.reset();
-            if (found->stays)
-            {
-                return PlacedSphere{found->place, radius};
-            }
-            sites.giveUp();
-            continue;
-        }
-        if (query.isStopped() || classes_.size() == 1 || sites.any())
-        {
-            return std::nullopt;
-        }
-        dropClasses(std::max<std::size_t>(1, ofClass));
-    }
-    return std::nullopt;
-}
-
-// The radius stays when a place is given up: else those that stay in few places would be too few.
-// Each round gives up a class, makes its sites finer for the only time, or is the last.
-std::optional<PlacedSphere> Releases::nextOfCurve(const ReleaseQuery& query)
-{
-    while (drawn_ || drawOfCurve())
+    while (drawn_ || drawRadius())
     {
         const double radius = *drawn_;
         const std::size_t ofClass = classOf(radius);
         Class& one = classes_[ofClass];
-        if (const auto place = one.sites->findLasting(radius, query, lookingAhead(radius, query)))
+        if (const auto place = one.sites->find(radius, query, computingAhead(radius, query)))
         {
             drawn_.reset();
-            ledger_->add(radius);
+            if (ledger_)
+            {
+                ledger_->add(radius);
+            }
             return PlacedSphere{*place, radius};
         }
         if (query.isStopped())
@@ -135,12 +102,12 @@ bool Releases::findsMore(Class& one)
     return true;
 }
 
-// Once sizes have run out, only those are drawn that the curve can still bear. False when there is
-// none: the curve cannot be kept any longer.
-bool Releases::drawOfCurve()
+// Once sizes have run out, only those are drawn that a size curve can still bear. False when there
+// is none: the curve cannot be kept any longer.
+bool Releases::drawRadius()
 {
     const std::optional<double>& within = world_.scene.spheres.sizes.within;
-    const bool isBound = ranOut_ && within;
+    const bool isBound = ledger_ && ranOut_ && within;
     const double most = isBound ? std::max(*within, ledger_->deviation()) : 0;
     for (int k = 0; k < kMaxDrawsOfCurve; ++k)
     {
@@ -160,27 +127,29 @@ std::optional<Eigen::Vector3d> Releases::place(double radius, const ReleaseQuery
     {
         return std::nullopt; // its class is done with
     }
-    return classes_[classOf(radius)].sites->findLasting(radius, query, lookingAhead(radius, query));
+    return classes_[classOf(radius)].sites->find(radius, query, computingAhead(radius, query));
 }
 
-std::function<void()> Releases::lookingAhead(double radius, const ReleaseQuery& query)
+std::function<void()> Releases::computingAhead(double radius, const ReleaseQuery& query)
 {
     if (query.ahead == 0 || threads_.concurrency() == 1)
     {
         return {};
     }
-    return [this, radius, &query] { lookAhead(radius, query); };
+    return [this, radius, &query] { computeAhead(radius, query); };
 }
 
 // The radii that come next, if each finds a place at once.
-void Releases::lookAhead(double radius, const ReleaseQuery& query)
+void Releases::computeAhead(double radius, const ReleaseQuery& query)
 {
     unknown_.clear();
+    std::vector<std::uint64_t> expected(classes_.size(), 0);
     std::uint64_t number = draws_;
     for (std::size_t k = 0; k < query.ahead; ++k, radius = radiusOfDraw(++number))
     {
-        ReleaseSites& sites = *classes_[classOf(radius)].sites;
-        Draw* draw = sites.expectPlace(radius);
+        const std::size_t ofClass = classOf(radius);
+        ReleaseSites& sites = *classes_[ofClass].sites;
+        Draw* draw = sites.expect(expected[ofClass]++, radius);
         if (draw == nullptr)
         {
             break;
@@ -190,12 +159,8 @@ void Releases::lookAhead(double radius, const ReleaseQuery& query)
             unknown_.push_back({&sites, draw});
         }
     }
-    for (Class& one : classes_)
-    {
-        one.sites->rewind();
-    }
     threads_.forEachLarge(unknown_.size(), [&](std::size_t i)
-                          { unknown_[i].sites->lookAhead(*unknown_[i].draw, query); });
+                          { unknown_[i].sites->compute(*unknown_[i].draw, query); });
 }
 
 void Releases::close(const Eigen::Vector3d& centre, double radius)

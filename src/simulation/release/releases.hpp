@@ -44,12 +44,11 @@ private:
         bool isCoarse = false; ///< places may be left that its sites do not lead to
     };
     [[nodiscard]] bool findsMore(Class& one);
-    [[nodiscard]] std::function<void()> lookingAhead(double radius, const ReleaseQuery& query);
-    void lookAhead(double radius, const ReleaseQuery& query);
+    [[nodiscard]] std::function<void()> computingAhead(double radius, const ReleaseQuery& query);
+    void computeAhead(double radius, const ReleaseQuery& query);
     [[nodiscard]] double radiusOfDraw(std::uint64_t number) const;
     void dropClasses(std::size_t from);
-    [[nodiscard]] std::optional<PlacedSphere> nextOfCurve(const ReleaseQuery& query);
-    [[nodiscard]] bool drawOfCurve();
+    [[nodiscard]] bool drawRadius();
     [[nodiscard]] std::size_t classOf(double radius) const;
 
     const World& world_;
@@ -58,13 +57,13 @@ private:
     std::optional<double> drawn_; ///< the next radius, for which there was no place yet
     std::uint64_t draws_ = 0;
     std::optional<SizeLedger> ledger_; ///< of a size curve
-    bool ranOut_ = false;              ///< some of its sizes find no place any more
+    bool ranOut_ = false;              ///< some sizes find no place any more
     struct Unknown
     {
         const ReleaseSites* sites;
         Draw* draw;
     };
-    std::vector<Unknown> unknown_; ///< draws that are found out next
+    std::vector<Unknown> unknown_; ///< draws that are computed next
 };
 
 } // namespace frostfill

@@ -2,12 +2,15 @@
 #include "simulation/release/site_lattice.hpp"
 
 #include "geometry/cell_rows.hpp"
+#include "mesh/interior/near_surface.hpp"
 #include "simulation/release/tolerances.hpp"
 #include "simulation/world/tolerances.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace frostfill
 {
@@ -51,93 +54,130 @@ double cellOfSites(const Eigen::Vector3d& box, double inReach, double radius)
 }
 
 SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
-                         Threads& threads, double smallLattice, double coarsest)
+                         Threads& threads, double coarsest, std::size_t smallLattice)
     : radius_(radius), lattice_(GridFrame::cover(surface.box(),
                                                  cellOfSites(surface.box().sizes(),
                                                              volumeInReach(surface.box(), inside),
                                                              std::max(radius, coarsest)),
                                                  0)),
-      wordsPerRow_((static_cast<std::size_t>(lattice_.count[0]) + 63) / 64)
+      words_(countOfWords(), smallLattice)
 {
-    const double words = static_cast<double>(wordsPerRow_) * lattice_.count[1] * lattice_.count[2];
-    const bool isSmall = words <= smallLattice;
-    if (!isSmall)
+    if (!words_.isOne())
     {
-        listWords(surface.box(), inside);
+        obtainWords(surface.box(), inside);
     }
-    bits_.resize(isSmall ? static_cast<std::size_t>(words) : list_.size(), ~std::uint64_t{0});
-    // A cell is open where its centre is so deep inside, or less than that outside.
-    const double depth = radius_ - halfDiagonal();
-    closeNear(surface, std::abs(depth), threads);
-    closeOutside(inside, std::abs(depth), depth < 0, threads);
-    if (!isSmall)
-    {
-        dropClosedWords();
-    }
+    bits_.resize(words_.size());
+    // Two sites side by side, none of them near the surface, are on the same side of it.
+    const double least = lattice_.cell / 2 * (1 + kDistanceSlack);
+    depth_ = radius_ - halfDiagonal();
+    depth_ = std::abs(depth_) < least ? -least : depth_;
+    markNear(surface, std::abs(depth_), threads);
+    openInside(inside, threads);
 }
 
 // Numbers of sites fit 32 bits; where there are too many, cells grow.
-void SiteLattice::listWords(const Eigen::AlignedBox3d& box, const InsideTest& inside)
+void SiteLattice::obtainWords(const Eigen::AlignedBox3d& box, const InsideTest& inside)
 {
     while (true)
     {
-        BrickedCells<1> words(
-            {static_cast<int>(wordsPerRow_), lattice_.count[1], lattice_.count[2]}, 0);
         inside.forEachBoxInReach(
             [&](const Eigen::AlignedBox3d& part)
             {
                 const GridPlace low = lattice_.coordinates(part.min());
                 const GridPlace high = lattice_.coordinates(part.max());
-                constexpr int kSide = BrickedCells<1>::kSide;
-                for (int z = low[2] / kSide; z <= high[2] / kSide; ++z)
+                for (int z = low[2] / Words::kSide; z <= high[2] / Words::kSide; ++z)
                 {
-                    for (int y = low[1] / kSide; y <= high[1] / kSide; ++y)
+                    for (int y = low[1] / Words::kSide; y <= high[1] / Words::kSide; ++y)
                     {
                         for (int x = low[0] / 64; x <= high[0] / 64; ++x)
                         {
-                            words.obtain(x, y * kSide, z * kSide);
+                            words_.obtain(x, y * Words::kSide, z * Words::kSide);
                         }
                     }
                 }
             });
-        if (static_cast<double>(words.size()) <= kMaxSites / 64)
+        if (static_cast<double>(words_.size()) <= kMaxSites / 64)
         {
-            std::vector<WordPlace> list;
-            for (std::size_t word = 0; word < words.size(); ++word)
-            {
-                if (words.isInGrid(words.cell(word)))
-                {
-                    list.push_back(words.cell(word));
-                }
-            }
-            std::sort(list.begin(), list.end(), WordSpans::isBefore);
-            std::for_each(list.begin(), list.end(),
-                          [&](const WordPlace& word) { list_.append(word); });
             return;
         }
         lattice_ = GridFrame::cover(box, kCellGrowth * lattice_.cell, 0);
-        wordsPerRow_ = (static_cast<std::size_t>(lattice_.count[0]) + 63) / 64;
+        words_ = Words(countOfWords(), 0);
     }
 }
 
-void SiteLattice::dropClosedWords()
+// All threads set bits at once, each those of sites near its triangles.
+void SiteLattice::markNear(const Surface& surface, double distance, Threads& threads)
 {
-    WordSpans kept;
-    for (std::size_t word = 0; word < bits_.size(); ++word)
+    const auto mark = [&](int y, int z, CellRun run, auto&& isNear)
     {
-        if (bits_[word] != 0)
-        {
-            bits_[kept.size()] = bits_[word];
-            kept.append(list_.place(word));
-        }
-    }
-    if (kept.size() == 0 && !bits_.empty()) // a list without words would be that of a small one
+        forEachWordOf(run,
+                      [&](int x, std::uint64_t some)
+                      {
+                          const std::size_t number = words_.find(x, y, z);
+                          if (number == kNone)
+                          {
+                              return;
+                          }
+                          const std::atomic_ref word(bits_[number]);
+                          std::uint64_t near = 0;
+                          for (std::uint64_t left = some & ~word.load(std::memory_order_relaxed);
+                               left != 0; left &= left - 1)
+                          {
+                              near |= isNear(64 * x + std::countr_zero(left)) ? left & -left : 0;
+                          }
+                          if (near != 0)
+                          {
+                              word.fetch_or(near, std::memory_order_relaxed);
+                          }
+                      });
+    };
+    forEachGroup(surface, lattice_.cell, threads,
+                 [&](const TriangleGroup& group)
+                 { forEachRunNear(lattice_, surface, group, distance, mark); });
+}
+
+// Sites near the surface are marked; what remains are those to be open.
+void SiteLattice::openInside(const InsideTest& inside, Threads& threads)
+{
+    const std::vector<std::uint64_t> near = std::exchange(bits_, {});
+    bits_.resize(near.size());
+    forEachPart(threads, near.size(), kWordsOfPart,
+                [&](std::size_t first, std::size_t last, std::size_t)
+                {
+                    for (std::size_t word = first; word < last; ++word)
+                    {
+                        bits_[word] = openOfWord(word, near, first, inside);
+                    }
+                });
+}
+
+// A site that is not near the surface is on the side of the one below it, if that is not near
+// either and is known: words from `first` on are.
+std::uint64_t SiteLattice::openOfWord(std::size_t word, std::span<const std::uint64_t> near,
+                                      std::size_t first, const InsideTest& inside) const
+{
+    const auto [x, y, z] = place(word);
+    if (!words_.isInGrid({x, y, z}))
     {
-        kept.append(list_.place(0));
+        return 0;
     }
-    bits_.resize(kept.size());
-    bits_.shrink_to_fit();
-    list_ = std::move(kept);
+    const std::size_t below = y > 0 ? words_.find(x, y - 1, z) : kNone;
+    const std::uint64_t known = below >= first && below < word ? ~near[below] : 0;
+    const std::uint64_t inRow =
+        ~std::uint64_t{0} >> (64 - std::min(64, lattice_.count[0] - 64 * x));
+    std::uint64_t open = depth_ < 0 ? near[word] : 0;
+    for (std::uint64_t left = ~near[word] & inRow; left != 0;)
+    {
+        // The lowest bits that follow each other: adding the first carries beyond the last.
+        const std::uint64_t run = left & ~(left + (left & -left));
+        const int site = 64 * x + std::countr_zero(left);
+        const bool isInside = (run & known) != 0
+                                  ? (bits_[below] & run & known) != 0
+                                  : inside.isInsideByWinding(lattice_.centre(site, y, z));
+        open |= isInside ? run : 0;
+        left &= ~run;
+    }
+    return open & inRow;
 }
 
 void SiteLattice::close(const Eigen::Vector3d& centre, double radius)
@@ -175,7 +215,7 @@ void SiteLattice::closeRun(int y, int z, int first, int last)
     forEachWordOf({first, last},
                   [&](int x, std::uint64_t run)
                   {
-                      const std::size_t word = find({x, y, z});
+                      const std::size_t word = words_.find(x, y, z);
                       if (word != kNone)
                       {
                           bits_[word] &= ~run;
@@ -193,7 +233,7 @@ std::vector<std::uint32_t> SiteLattice::highest() const
             continue;
         }
         const auto [x, y, z] = place(word);
-        const std::size_t above = y + 1 < lattice_.count[1] ? find({x, y + 1, z}) : kNone;
+        const std::size_t above = y + 1 < lattice_.count[1] ? words_.find(x, y + 1, z) : kNone;
         const std::uint64_t openAbove = above == kNone ? 0 : bits_[above];
         for (std::uint64_t bits = bits_[word] & ~openAbove; bits != 0; bits &= bits - 1)
         {

@@ -5,11 +5,11 @@
 #include "geometry/bricked_cells.hpp"
 #include "mesh/interior/inside_test.hpp"
 #include "simulation/release/tolerances.hpp"
-#include "simulation/release/word_spans.hpp"
 #include "simulation/world/spheres.hpp"
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -23,15 +23,15 @@ namespace frostfill
 /// centre of a sphere of that radius. Spheres at rest close the cells that lie wholly within the
 /// two radii; a cell that is closed stays closed.
 ///
-/// Words of 64 cells lie along x. A small lattice has all words of its box, a large one a list of
-/// those that were open once. Sites are numbered along both, ascending in z, y, x, with gaps.
+/// Words of 64 cells lie along x. A small lattice has all words of its box, a large one those of
+/// the bricks that the object reaches. Sites are numbered by words, with gaps.
 class SiteLattice
 {
 public:
     /// `radius` is at most 1. `coarsest`: cells are as large as those for this radius, if it is
     /// larger; there may be places in them that no site leads to.
     SiteLattice(const Surface& surface, const InsideTest& inside, double radius, Threads& threads,
-                double smallLattice = kSmallLattice, double coarsest = 0);
+                double coarsest = 0, std::size_t smallLattice = kSmallLattice);
 
     /// Closes all cells that a sphere at rest leaves no place in.
     void close(const Eigen::Vector3d& centre, double radius);
@@ -53,61 +53,54 @@ public:
     [[nodiscard]] int height(std::size_t site) const { return place(site / 64)[1]; }
     /// Above the number of every site.
     [[nodiscard]] std::size_t end() const { return 64 * bits_.size(); }
-    /// The next open site from `site` on, or end(). Ascending in z, y, x.
+    /// The next open site from `site` on, or end().
     [[nodiscard]] std::size_t nextOpen(std::size_t site) const;
 
     /// The open sites whose neighbour above is not open, ascending.
     [[nodiscard]] std::vector<std::uint32_t> highest() const;
 
     [[nodiscard]] double cell() const { return lattice_.cell; }
-    [[nodiscard]] double halfDiagonal() const { return 0.8660254037844387 * lattice_.cell; }
+    [[nodiscard]] double halfDiagonal() const { return kHalfDiagonal * lattice_.cell; }
+    /// Sites are opened where their centre is so deep inside the object [r]; negative: so little
+    /// outside.
+    [[nodiscard]] double depth() const { return depth_; }
 
 private:
-    class Sides;
-    static constexpr std::size_t kNone = WordSpans::kNone;
+    using Words = BrickedCells<1>;
+    static constexpr std::size_t kNone = Words::kNone;
 
-    void listWords(const Eigen::AlignedBox3d& box, const InsideTest& inside);
-    void dropClosedWords();
-    /// Closes all within a distance of the surface.
-    void closeNear(const Surface& surface, double distance, Threads& threads);
-    /// Then all that are outside, but for those near the surface, which may be opened.
-    void closeOutside(const InsideTest& inside, double distance, bool nearAreOpen,
-                      Threads& threads);
+    void obtainWords(const Eigen::AlignedBox3d& box, const InsideTest& inside);
+    void markNear(const Surface& surface, double distance, Threads& threads);
+    void openInside(const InsideTest& inside, Threads& threads);
+    [[nodiscard]] std::uint64_t openOfWord(std::size_t word, std::span<const std::uint64_t> near,
+                                           std::size_t first, const InsideTest& inside) const;
     void closeRun(int y, int z, int first, int last);
-    [[nodiscard]] WordPlace place(std::size_t word) const
+    /// Where a word lies: its place in its row, and the row.
+    [[nodiscard]] GridPlace place(std::size_t word) const
     {
-        if (list_.size() > 0)
+        if (!words_.isOne())
         {
-            return list_.place(word);
+            return words_.cell(word);
         }
-        const std::size_t row = word / wordsPerRow_;
+        const std::size_t row = word / wordsInRow();
         const auto rows = static_cast<std::size_t>(lattice_.count[1]);
-        return {static_cast<int>(word % wordsPerRow_), static_cast<int>(row % rows),
+        return {static_cast<int>(word % wordsInRow()), static_cast<int>(row % rows),
                 static_cast<int>(row / rows)};
     }
-    /// Number of the first word from this one on.
-    [[nodiscard]] std::size_t firstFrom(const WordPlace& word) const
+    [[nodiscard]] std::size_t wordsInRow() const
     {
-        if (list_.size() == 0)
-        {
-            const auto rows = static_cast<std::size_t>(lattice_.count[1]);
-            return (static_cast<std::size_t>(word[2]) * rows + static_cast<std::size_t>(word[1])) *
-                       wordsPerRow_ +
-                   static_cast<std::size_t>(word[0]);
-        }
-        return list_.firstFrom(word);
+        return (static_cast<std::size_t>(lattice_.count[0]) + 63) / 64;
     }
-    /// Number of a word, or kNone.
-    [[nodiscard]] std::size_t find(const WordPlace& word) const
+    [[nodiscard]] GridPlace countOfWords() const
     {
-        return list_.size() == 0 ? firstFrom(word) : list_.find(word);
+        return {static_cast<int>(wordsInRow()), lattice_.count[1], lattice_.count[2]};
     }
 
     double radius_;
     GridFrame lattice_;
-    std::size_t wordsPerRow_;
-    WordSpans list_;                  ///< the words of a large lattice
-    std::vector<std::uint64_t> bits_; ///< [#words]
+    Words words_;
+    double depth_ = 0;
+    std::vector<std::uint64_t> bits_; ///< [#words_]
 };
 
 } // namespace frostfill

@@ -20,33 +20,29 @@ inline constexpr double kSiteCell = 0.5;
 /// tried, so results depend on it. In a larger one those in and near the object do.
 inline constexpr double kMaxSites = 4e9;
 /// Words of 64 sites up to which a lattice has those of its whole box. [1] Larger: memory for sites
-/// outside. Smaller: closing a site takes a search in a list.
-inline constexpr double kSmallLattice = 4e6;
+/// outside. Smaller: closing a site takes a look at bricks.
+inline constexpr std::size_t kSmallLattice = 4'000'000;
+/// Words that a thread opens at once. [1] The answer is the same for any.
+inline constexpr std::size_t kWordsOfPart = 4096;
 /// Factor by which cells grow until there are few enough. Larger: coarser than need be.
 inline constexpr double kCellGrowth = 1.02;
-/// What rounding may add to a distance [r]. Smaller: a site may be taken for one on the other side
-/// of a wall. Larger: more sites are asked for their side.
+/// What rounding may take from a distance [1]. Smaller: a site may be taken for one on the other
+/// side of a wall. Larger: more sites count as near one.
 inline constexpr double kDistanceSlack = 1e-9;
 
 /// Places in a row that others run through, after which a search gives up for now [1]: most do.
 /// Larger: time, when the object is crowded. Smaller: sets appear with fewer spheres than they
 /// could.
 inline constexpr int kMaxMisses = 64;
-/// Draws ahead of the next, up to which what they lead to is known. [1] The answer is the same for
-/// any. Larger: memory. Smaller: many threads have too little to do at once.
-inline constexpr std::size_t kMostAhead = 1024;
+/// Draws of a batch: ceilings at which nothing fits go at its end. [1] Results depend on it.
+/// Larger: draws that lead nowhere, once few ceilings are left. Smaller: threads have too little to
+/// do at once.
+inline constexpr std::uint64_t kBatch = 256;
 /// Places in a row that are looked for ahead of their time, on all threads: as many as are wanted,
 /// within these limits. The answer is the same for any. Larger: more of them are void when
 /// something comes to rest. Smaller: threads wait for each other.
 inline constexpr std::size_t kFewestDrawsAhead = 16;
 inline constexpr std::size_t kDrawsAhead = 128;
-/// Draws after one that forgets a ceiling, for which ceilings are looked at one by one: which one
-/// is forgotten decides what is drawn next. The answer is the same for any. Larger: threads wait.
-/// Smaller: more of what was found out ahead is void.
-inline constexpr std::uint64_t kForgets = 64;
-/// Draws ahead for so long: one that is open may still turn out to have no place. The answer is the
-/// same for any. Larger: more is void. Smaller: threads wait.
-inline constexpr std::size_t kAheadWhileForgetting = 16;
 /// Layers of cells in a slab that is worth a thread's while. The answer is the same for any.
 inline constexpr int kSlabThickness = 8;
 

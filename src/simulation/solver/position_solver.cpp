@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/solver/position_solver.hpp"
 
-#include "base/stage_timer.hpp"
 #include "simulation/contact/contact.hpp"
 #include "simulation/solver/tolerances.hpp"
 
@@ -28,59 +27,24 @@ std::atomic_ref<char> flag(char& value)
 
 } // namespace
 
-// To arrange the crowd takes one thread, and so does a crowd that is not cut; the others then look
-// after those that are alone.
-double PositionSolver::resolve(double dt, const Besides& besides)
+void PositionSolver::resolve(double dt, const Observe& observe)
 {
-    StageTimes times;
     down_ = flight_.down();
-    wantsMore_.resize(running_.size());
-    {
-        const StageTimer timer(times, Stage::sphereSphere);
-        pairs_.findPairs(
-            [&](std::uint32_t row)
-            { wantsMore_[row] = !pairs_.isPaired(row) && besides.alone(row) ? 1 : 0; });
-        crowd_.gather(down_);
-    }
-    const auto solve = [&]
-    {
-        crowd_.cut();
-        start();
-        resolveCrowd(dt, besides.after);
-    };
-    const auto order = [&]
-    {
-        const StageTimer timer(times, Stage::sphereSphere);
-        crowd_.order();
-        if (!crowd_.isCut())
+    pairs_.findPairs(
+        [&](std::uint32_t row)
         {
-            solve();
-        }
-    };
-    more_.clear();
-    for (std::uint32_t row = 0; row < running_.size(); ++row)
-    {
-        if (wantsMore_[row] != 0)
-        {
-            more_.push_back(row);
-        }
-    }
-    const std::size_t last = 1 + more_.size();
-    crowd_.threads().forEach(
-        last + (crowd_.isCut() ? 1 : 0),
-        [&](std::size_t i) {
-            i == 0 ? order() : i == last ? crowd_.cluster() : besides.more(more_[i - 1]);
-        },
-        crowd_.isCut() ? 2 : kWorthLookingBeside);
-    if (crowd_.isCut())
-    {
-        const StageTimer timer(times, Stage::sphereSphere);
-        solve();
-    }
-    return times[Stage::sphereSphere];
+            if (!pairs_.isPaired(row))
+            {
+                observe(row);
+            }
+        });
+    crowd_.gather(down_);
+    crowd_.arrange();
+    start();
+    resolveCrowd(dt, observe);
 }
 
-void PositionSolver::resolveCrowd(double dt, const Beside& after)
+void PositionSolver::resolveCrowd(double dt, const Observe& observe)
 {
     if (crowd_.size() == 0)
     {
@@ -110,7 +74,7 @@ void PositionSolver::resolveCrowd(double dt, const Beside& after)
                                  [&](std::uint32_t slot)
                                  {
                                      removeLiftEnergy(slot);
-                                     after(crowd_.row(slot));
+                                     observe(crowd_.row(slot));
                                  });
         });
 }

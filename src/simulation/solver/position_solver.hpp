@@ -32,22 +32,11 @@ public:
         }
     }
 
-    /// What may be done of a runner, by its row, while others are separated. On any thread; it
-    /// changes nothing but what belongs to that runner.
-    using Beside = std::function<void(std::uint32_t row)>;
-    struct Besides
-    {
-        /// Of each that is in no pair, at once. Returns whether there is more to be done of it.
-        std::function<bool(std::uint32_t row)> alone = [](std::uint32_t) { return false; };
-        Beside more = [](std::uint32_t) {};
-        /// Of each that is in a pair, once it is where it stays.
-        Beside after = [](std::uint32_t) {};
-    };
-
-    /// Separates the runners and makes their velocities agree with it. Returns how long it took,
-    /// without `more` [s].
-    double resolve(double dt, const Besides& besides);
-    double resolve(double dt) { return resolve(dt, Besides()); }
+    /// Separates the runners and makes their velocities agree with it. Calls observe(row) for each
+    /// runner once it is where it stays, on any thread.
+    using Observe = std::function<void(std::uint32_t row)>;
+    void resolve(
+        double dt, const Observe& observe = [](std::uint32_t) {});
 
     /// Takes runners that overlap apart, without giving them any speed.
     void separate();
@@ -68,7 +57,7 @@ private:
         std::function<bool(int sweep)> isMutual;
     };
     void gatherAll();
-    void resolveCrowd(double dt, const Beside& after);
+    void resolveCrowd(double dt, const Observe& observe);
     void start();
     void sweep(std::size_t strip, const Sweeps& sweeps);
     double sweepOnce(std::size_t strip, std::uint32_t number, double yieldShare, double liftDepth);
@@ -85,8 +74,6 @@ private:
     Turns turns_;
     VelocitySolver velocitySolver_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
-    std::vector<char> wantsMore_;       ///< by row: in no pair, and there is more to be done
-    std::vector<std::uint32_t> more_;   ///< the rows of those
     // By slot, in the step in hand.
     struct Flown
     {

@@ -34,9 +34,6 @@ inline constexpr double kBeyondRounding = 1 + 1e-9;
 
 // Crowds on several threads. The answer is the same for any.
 
-/// Runners in no pair at least that other threads look at while one arranges a crowd. Larger: one
-/// thread does it all. Smaller: threads wait for each other.
-inline constexpr std::size_t kWorthLookingBeside = 8;
 /// Members of a strip at least. Larger: small crowds are left to fewer threads. Smaller: threads
 /// wait for each other.
 inline constexpr std::size_t kFewestInStrip = 32;

@@ -119,34 +119,5 @@ TEST_F(TriangleGridTest, InsideTestAgreesWithTheWindingNumber)
     EXPECT_GT(within, 500);
 }
 
-// As far as one brick after another has no triangles, or one cell after another.
-TEST_F(TriangleGridTest, InsideTestKnowsHowFarARowStaysOnItsSide)
-{
-    const InsideTest inside(surface, grid);
-    const double end = grid.frame().origin.x() + grid.frame().cell * grid.frame().count[0];
-    std::array<double, 2> length{}; // of what is known outside and inside
-    for (int k = 0; k < 3000; ++k)
-    {
-        const Eigen::Vector3d p = point();
-        if (!grid.frame().contains(p))
-        {
-            continue;
-        }
-        const double until = inside.farUntil(p, end);
-        ASSERT_GE(until, p.x());
-        const double side = inside.distance(p);
-        ASSERT_TRUE(until == p.x() || std::abs(side) == kReach);
-        for (Eigen::Vector3d q = p; q.x() < until; q.x() += 0.21)
-        {
-            ASSERT_EQ(inside.distance(q), side) << p.transpose() << ", " << q.x();
-        }
-        length[side > 0 ? 1 : 0] += until - p.x();
-        const double near = inside.farUntil(p, p.x() + 1);
-        ASSERT_LE(near, std::max(p.x(), p.x() + 1 + 4)); // no farther than the next brick
-    }
-    EXPECT_GT(length[0], 5000);
-    EXPECT_GT(length[1], 300);
-}
-
 } // namespace
 } // namespace frostfill

@@ -44,7 +44,7 @@ TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
     Releases ahead(world, 4, two);
     ReleaseQuery query;
     query.ahead = 128;
-    query.prepare = [&](Eigen::Vector3d& p, double radius, Footprint& seen)
+    query.prepare = [&](Eigen::Vector3d& p, double radius, Eigen::AlignedBox3d& seen)
     {
         descent.drop(p, radius, &seen);
         return true;
@@ -113,7 +113,7 @@ TEST_F(ReleaseSitesTest, EndsASearchSoonAfterItIsToldToAndForgetsNothing)
             ++asked;
             return false;
         };
-        query.prepare = [&](Eigen::Vector3d&, double, Footprint&)
+        query.prepare = [&](Eigen::Vector3d&, double, Eigen::AlignedBox3d&)
         {
             asked += stays ? 0 : 1;
             return stays;
@@ -140,8 +140,8 @@ TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
     const ReleaseQuery any = {.suits = [](const Eigen::Vector3d&, double) { return true; }};
     while (const auto found = sites.find(1, any))
     {
-        rest(world, falls, found->place);
-        sites.close(found->place, 1);
+        rest(world, falls, *found);
+        sites.close(*found, 1);
     }
     ASSERT_GT(world.spheres.size(), 500u); // hanging where they are, less dense than fallen ones
     std::uint64_t draw = 0;
