@@ -4,8 +4,11 @@
 #include "base/cores.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 namespace frostfill
 {
@@ -16,8 +19,7 @@ struct Threads::Arena
 };
 
 Threads::Threads(int count)
-    : concurrency_(static_cast<std::size_t>(count > 0 ? count : coresAtHand())),
-      arena_(std::make_unique<Arena>(Arena{tbb::task_arena(static_cast<int>(concurrency_))}))
+    : concurrency_(static_cast<std::size_t>(count > 0 ? count : coresAtHand()))
 {
 }
 
@@ -25,6 +27,15 @@ Threads::~Threads() = default;
 
 void Threads::share(std::size_t count, Run run, const void* body)
 {
+    if (!arena_)
+    {
+        // oneTBB prints a warning about an arena of more threads than it may start.
+        using tbb::global_control;
+        const std::size_t most =
+            global_control::active_value(global_control::max_allowed_parallelism);
+        const std::size_t wanted = std::min(concurrency_, most);
+        arena_ = std::make_unique<Arena>(Arena{tbb::task_arena(static_cast<int>(wanted))});
+    }
     arena_->threads.execute(
         [&]
         {

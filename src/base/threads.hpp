@@ -12,7 +12,8 @@ namespace frostfill
 {
 
 /// Threads of oneTBB for the loops of a simulation. A loop's body may write only what belongs to
-/// its own index, so that results do not depend on the number of threads.
+/// its own index, so that results do not depend on the number of threads. One loop at a time, but a
+/// body may begin another.
 class Threads
 {
 public:
@@ -55,8 +56,8 @@ private:
     static constexpr std::size_t kWorthSharing = 32;
 
     std::size_t concurrency_;
-    struct Arena; // no header of oneTBB here: most of the sources include this one
-    std::unique_ptr<Arena> arena_;
+    struct Arena;                  // no header of oneTBB here: most of the sources include this one
+    std::unique_ptr<Arena> arena_; ///< begins with the first loop that is shared
 };
 
 /// Calls body(first, last, part) for parts of `size`, the last one of what is left: few bodies that

@@ -20,6 +20,7 @@ constexpr std::uint32_t kAhead = 4;
 
 } // namespace
 
+// One thread solves a small crowd, and the others look after the runners in no pair meanwhile.
 double PositionSolver::resolve(double dt, const Besides& besides)
 {
     StageTimes times;
@@ -30,9 +31,13 @@ double PositionSolver::resolve(double dt, const Besides& besides)
         pairs_.findPairs(
             [&](std::uint32_t row)
             { wantsMore_[row] = !pairs_.isPaired(row) && besides.alone(row) ? 1 : 0; });
+    }
+    const auto resolveAll = [&]
+    {
+        const StageTimer timer(times, Stage::sphereSphere);
         crowd_.gather(down_);
         resolveCrowd(dt, besides.after);
-    }
+    };
     more_.clear();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
@@ -42,7 +47,9 @@ double PositionSolver::resolve(double dt, const Besides& besides)
         }
     }
     crowd_.threads().forEach(
-        more_.size(), [&](std::size_t i) { besides.more(more_[i]); }, kWorthLookingBeside);
+        1 + more_.size(),
+        [&](std::size_t i) { i == 0 ? resolveAll() : besides.more(more_[i - 1]); },
+        kWorthLookingBeside);
     return times[Stage::sphereSphere];
 }
 

@@ -166,6 +166,17 @@ TEST(Threads, DoTwoThingsAtOnce)
     EXPECT_EQ(met, 2);
 }
 
+// More threads than can be started are no reason for a warning of oneTBB.
+TEST(Threads, SayNothingOfMoreThanThereAre)
+{
+    Threads threads(64);
+    testing::internal::CaptureStderr();
+    std::atomic<int> done = 0;
+    threads.forEach(1000, [&](std::size_t) { ++done; });
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+    EXPECT_EQ(done, 1000);
+}
+
 TEST(Threads, LeaveALoopThatIsTooShortToTheCaller)
 {
     Threads threads(4);

@@ -21,7 +21,7 @@ namespace
 
 constexpr double kRadius = 0.35;
 constexpr std::uint32_t kLong = 20;
-constexpr std::uint32_t kShort = 14;
+constexpr std::uint32_t kShort = 10;
 constexpr std::uint32_t kHigh = 4;
 constexpr std::uint32_t kAll = kLong * kShort * kHigh;
 
