@@ -14,7 +14,7 @@ namespace frostfill
 bool Crowd::isBelow(const Member& a, const Member& b)
 {
     const auto order = std::weak_order(a.height, b.height);
-    return order < 0 || (order == 0 && a.row < b.row);
+    return std::is_lt(order) || (std::is_eq(order) && a.row < b.row);
 }
 
 void Crowd::gather(const Eigen::Vector3d& down)
