@@ -37,6 +37,6 @@ endforeach()
 
 # And core asks its consumer for no library that only pictures use.
 file(STRINGS ${LIBRARIES}/cmake/frostfill/frostfill-core.cmake asked REGEX "INTERFACE_LINK_LIBRARIES")
-if(NOT asked MATCHES "assimp" OR asked MATCHES "TBB|DEFLATE|ISAL|STB|glm|nlohmann")
+if(NOT asked MATCHES "assimp" OR asked MATCHES "DEFLATE|ISAL|STB|glm|nlohmann")
     message(SEND_ERROR "frostfill::core asks for:${asked}")
 endif()

@@ -9,27 +9,18 @@
 
 namespace frostfill
 {
-namespace
-{
 
-/// The axis along which strips follow one another: of x and z the one that leads less along the
-/// pull.
-int axisOfStrips(const Eigen::Vector3d& down)
+// An order of all numbers: the guard finds what is not finite at the end of the step, not a sort.
+bool Crowd::isBelow(const Member& a, const Member& b)
 {
-    return std::abs(down.x()) <= std::abs(down.z()) ? 0 : 2;
+    const auto order = std::weak_order(a.height, b.height);
+    return std::is_lt(order) || (std::is_eq(order) && a.row < b.row);
 }
-
-/// An order of all numbers: what is not finite is found at the end of the step, not in a sort.
-bool isBelow(double a, double b)
-{
-    return std::weak_order(a, b) < 0;
-}
-
-} // namespace
 
 void Crowd::gather(const Eigen::Vector3d& down)
 {
-    startGathering(down);
+    down_ = down;
+    gathered_.clear();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         if (pairs_.isPaired(row))
@@ -37,259 +28,149 @@ void Crowd::gather(const Eigen::Vector3d& down)
             enter(row);
         }
     }
-    endGathering();
+    arrange();
 }
 
 void Crowd::gather(std::span<const std::uint32_t> rows, const Eigen::Vector3d& down)
 {
-    startGathering(down);
+    down_ = down;
+    gathered_.clear();
     for (const std::uint32_t row : rows)
     {
         enter(row);
     }
-    endGathering();
-}
-
-void Crowd::startGathering(const Eigen::Vector3d& down)
-{
-    down_ = down;
-    order_.clear();
-    members_.clear();
+    arrange();
 }
 
 void Crowd::enter(std::uint32_t row)
 {
-    order_.push_back({-running_.position[row].dot(down_), row, 0});
-    members_.push_back(row);
-}
-
-void Crowd::endGathering()
-{
-    const std::size_t size = order_.size();
-    const std::size_t most = size / kFewestInStrip;
-    wantedStrips_ = most <= 1 ? 1 : std::min(most, threads_.gather(size >= kWorthWaking));
+    gathered_.push_back({-running_.position[row].dot(down_), row, 0});
 }
 
 void Crowd::arrange()
 {
-    order();
-    if (isCut())
-    {
-        cluster();
-    }
     cut();
-}
-
-void Crowd::cluster()
-{
+    sortIntoSlabs();
     const std::size_t size = members_.size();
-    stripsTouch_ = size > kMostInClusters || !findClusters(size / wantedStrips_);
-}
-
-void Crowd::order()
-{
-    std::sort(order_.begin(), order_.end(),
-              [](const Height& a, const Height& b) {
-                  return isBelow(a.height, b.height) ||
-                         (!isBelow(b.height, a.height) && a.row < b.row);
-              });
-}
-
-void Crowd::cut()
-{
-    cutIntoStrips();
-    giveSlots();
-}
-
-void Crowd::giveSlots()
-{
-    const std::size_t size = order_.size();
     balls_.resize(size);
     rows_.resize(size);
-    ranks_.resize(size);
-    firstNear_.resize(size + 1);
+    firstNear_.resize(size);
     nearCount_.resize(size);
-    isShared_.resize(size);
     slot_.assign(running_.size(), kNone);
-    next_.clear();
-    for (const Strip& strip : strips_)
-    {
-        next_.push_back(strip.begin);
-    }
-    for (std::uint32_t rank = 0; rank < size; ++rank)
-    {
-        const std::uint32_t row = order_[rank].row;
-        const std::uint32_t slot = next_[order_[rank].strip]++;
-        rows_[slot] = row;
-        ranks_[slot] = rank;
-        slot_[row] = slot;
-    }
     std::size_t first = 0;
     for (std::uint32_t slot = 0; slot < size; ++slot)
     {
+        rows_[slot] = members_[slot].row;
+        slot_[rows_[slot]] = slot;
         firstNear_[slot] = first;
         first += pairs_.nearbyCount(rows_[slot]);
     }
-    firstNear_[size] = first;
     nearby_.resize(first);
+    forEachMember([this](std::uint32_t slot) { enlist(slot); });
 }
 
-// Who is in which strip changes nothing but who waits for whom.
-void Crowd::cutIntoStrips()
+// Along the longer side of the crowd across the pull, which gives the most slabs.
+void Crowd::cut()
 {
-    if (!isCut())
+    slabs_.assign(1, {0, 0});
+    const std::size_t most = gathered_.size() / kFewestInSlab;
+    if (most < kFewestSlabs)
     {
-        stripsTouch_ = false;
-        strips_.assign(1, {0, static_cast<std::uint32_t>(order_.size())});
         return;
     }
-    strips_.assign(wantedStrips_, {0, 0});
-    stripsTouch_ ? cutByPlace() : dealClusters();
-    for (const Height& one : order_)
+    const auto& places = running_.position;
+    Eigen::Vector3d low = places[gathered_[0].row];
+    Eigen::Vector3d high = low;
+    for (const Member& one : gathered_)
     {
-        ++strips_[one.strip].end;
+        const Eigen::Vector3d& p = places[one.row];
+        if (!p.allFinite())
+        {
+            return;
+        }
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const auto across = [&](int axis)
+    { return (high[axis] - low[axis]) * (1 - std::abs(down_[axis])); };
+    const int axis = across(0) > across(2) ? 0 : 2;
+    const double length = high[axis] - low[axis];
+    const double fit = length / (2 * kBeyondRounding * longestPair(axis));
+    if (!(fit >= kFewestSlabs))
+    {
+        return;
+    }
+    const std::size_t count =
+        fit < static_cast<double>(most) ? static_cast<std::size_t>(fit) : most;
+    slabs_.assign(count, {0, 0});
+    for (Member& one : gathered_)
+    {
+        const double share = (places[one.row][axis] - low[axis]) / length;
+        const auto slab = static_cast<std::size_t>(share * static_cast<double>(count));
+        one.slab = static_cast<std::uint32_t>(std::min(slab, count - 1));
+    }
+}
+
+double Crowd::longestPair(int axis) const
+{
+    std::vector<double> longest((gathered_.size() + kFewestInSlab - 1) / kFewestInSlab, 0);
+    const auto& places = running_.position;
+    forEachPart(threads_, gathered_.size(), kFewestInSlab,
+                [&](std::size_t first, std::size_t last, std::size_t part)
+                {
+                    for (std::size_t k = first; k < last; ++k)
+                    {
+                        const double here = places[gathered_[k].row][axis];
+                        for (const std::uint32_t other : pairs_.nearby(gathered_[k].row))
+                        {
+                            const double way = std::abs(places[other][axis] - here);
+                            longest[part] = std::max(longest[part], way);
+                        }
+                    }
+                });
+    return *std::max_element(longest.begin(), longest.end());
+}
+
+void Crowd::sortIntoSlabs()
+{
+    for (const Member& one : gathered_)
+    {
+        ++slabs_[one.slab].end;
     }
     std::uint32_t begin = 0;
-    for (Strip& strip : strips_)
+    for (Slab& slab : slabs_)
     {
-        strip.begin = begin;
-        strip.end = begin += strip.end;
+        slab.begin = begin;
+        begin += slab.end;
+        slab.end = slab.begin;
     }
+    members_.resize(gathered_.size());
+    for (const Member& one : gathered_)
+    {
+        members_[slabs_[one.slab].end++] = one;
+    }
+    threads_.forEachLarge(slabs_.size(),
+                          [this](std::size_t k) {
+                              std::sort(members_.begin() + slabs_[k].begin,
+                                        members_.begin() + slabs_[k].end, isBelow);
+                          });
 }
 
-// Where strips end, some of the members tell.
-void Crowd::cutByPlace()
+void Crowd::enlist(std::uint32_t slot)
 {
-    const int axis = axisOfStrips(down_);
-    const auto at = [&](std::size_t rank) { return running_.position[order_[rank].row][axis]; };
-    const std::size_t size = order_.size();
-    const std::size_t count = strips_.size();
-    const std::size_t samples = std::min(size, kSamplesOfStrip * count);
-    sample_.resize(samples);
-    for (std::size_t k = 0; k < samples; ++k)
+    balls_[slot].radius = running_.radius[rows_[slot]];
+    follow(slot);
+    Near* const first = nearby_.data() + firstNear_[slot];
+    Near* next = first;
+    for (const std::uint32_t row : pairs_.nearby(rows_[slot]))
     {
-        sample_[k] = at(k * size / samples);
-    }
-    std::sort(sample_.begin(), sample_.end(), isBelow);
-    borders_.clear();
-    for (std::size_t k = 1; k < count; ++k)
-    {
-        borders_.push_back(sample_[k * samples / count]);
-    }
-    for (std::size_t rank = 0; rank < size; ++rank)
-    {
-        const auto border = std::upper_bound(borders_.begin(), borders_.end(), at(rank), isBelow);
-        order_[rank].strip = static_cast<std::uint32_t>(border - borders_.begin());
-    }
-}
-
-// The cluster with the most pairs first, each to the strip that has the least to do.
-void Crowd::dealClusters()
-{
-    clusters_.clear();
-    for (const std::uint32_t row : members_)
-    {
-        if (lead_[row] == row)
+        const std::uint32_t other = slot_[row];
+        if (other != kNone)
         {
-            clusters_.push_back(row);
-            load_[row] = 0;
+            *next++ = {other & kLargestSlot, isBelow(members_[other], members_[slot])};
         }
     }
-    for (const std::uint32_t row : members_)
-    {
-        load_[lead_[row]] += 1 + pairs_.nearbyCount(row);
-    }
-    std::sort(clusters_.begin(), clusters_.end(),
-              [this](std::uint32_t a, std::uint32_t b)
-              { return load_[a] > load_[b] || (load_[a] == load_[b] && a < b); });
-    next_.assign(strips_.size(), 0);
-    for (const std::uint32_t lead : clusters_)
-    {
-        const auto least = std::min_element(next_.begin(), next_.end());
-        *least += load_[lead];
-        load_[lead] = static_cast<std::uint32_t>(least - next_.begin());
-    }
-    for (Height& one : order_)
-    {
-        one.strip = load_[lead_[one.row]];
-    }
-}
-
-// All members of a cluster get the same lead. Returns false if one has more than `largest`.
-bool Crowd::findClusters(std::size_t largest)
-{
-    lead_.assign(running_.size(), kNone);
-    inCluster_.assign(running_.size(), 1);
-    load_.resize(running_.size());
-    for (const std::uint32_t row : members_)
-    {
-        lead_[row] = row;
-    }
-    for (const std::uint32_t row : members_)
-    {
-        for (const std::uint32_t other : pairs_.nearby(row))
-        {
-            if (other < row && lead_[other] != kNone)
-            {
-                join(row, other);
-            }
-        }
-        if (inCluster_[leadOf(row)] > largest)
-        {
-            return false;
-        }
-    }
-    for (const std::uint32_t row : members_)
-    {
-        lead_[row] = leadOf(row);
-    }
-    return true;
-}
-
-void Crowd::join(std::uint32_t a, std::uint32_t b)
-{
-    a = leadOf(a);
-    b = leadOf(b);
-    if (a != b)
-    {
-        lead_[std::max(a, b)] = std::min(a, b);
-        inCluster_[std::min(a, b)] += inCluster_[std::max(a, b)];
-    }
-}
-
-// On the way others learn of an earlier one.
-std::uint32_t Crowd::leadOf(std::uint32_t row)
-{
-    while (lead_[row] != row)
-    {
-        row = lead_[row] = lead_[lead_[row]];
-    }
-    return row;
-}
-
-void Crowd::enlist(std::size_t k)
-{
-    const Strip& strip = strips_[k];
-    for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
-    {
-        balls_[slot].radius = running_.radius[rows_[slot]];
-        follow(slot);
-        Near* next = nearby_.data() + firstNear_[slot];
-        bool shared = false;
-        for (const std::uint32_t row : pairs_.nearby(rows_[slot]))
-        {
-            const std::uint32_t other = slot_[row];
-            if (other == kNone)
-            {
-                continue;
-            }
-            const bool foreign = other < strip.begin || other >= strip.end;
-            shared = shared || foreign;
-            *next++ = {other & kLargestSlot, ranks_[other] < ranks_[slot], foreign};
-        }
-        nearCount_[slot] = static_cast<std::uint32_t>(next - (nearby_.data() + firstNear_[slot]));
-        isShared_[slot] = shared ? 1 : 0;
-    }
+    nearCount_[slot] = static_cast<std::uint32_t>(next - first);
 }
 
 } // namespace frostfill

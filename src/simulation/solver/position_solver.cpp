@@ -5,7 +5,6 @@
 #include "simulation/solver/tolerances.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 namespace frostfill
@@ -17,13 +16,6 @@ namespace
 /// Members whose neighbourhood is asked for before it is needed. Rows lie in memory as they were
 /// released, not from below.
 constexpr std::uint32_t kAhead = 4;
-
-/// Members that are pushed say so to those nearby, of other strips as well, where several may at
-/// once. Who looks whether it was told has waited for those.
-std::atomic_ref<char> flag(char& value)
-{
-    return std::atomic_ref<char>(value);
-}
 
 } // namespace
 
@@ -39,145 +31,91 @@ void PositionSolver::resolve(double dt, const Observe& observe)
             }
         });
     crowd_.gather(down_);
-    crowd_.arrange();
-    start();
     resolveCrowd(dt, observe);
 }
 
 void PositionSolver::resolveCrowd(double dt, const Observe& observe)
 {
-    if (crowd_.size() == 0)
-    {
-        return;
-    }
     flown_.resize(crowd_.size());
-    velocitySolver_.start(down_);
+    crowd_.forEachMember(
+        [this](std::uint32_t slot) {
+            flown_[slot] = {crowd_[slot].position(), running_.velocity[crowd_.row(slot)]};
+        });
+    velocitySolver_.resolve(down_, dt);
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
-    const Sweeps sweeps = {settings_.sweeps, settings_.tolerance, kDeep,
-                           [mutual](int sweep) { return sweep <= mutual; }};
-    crowd_.forEachStrip(
-        [&](std::size_t strip)
+    sweep({settings_.sweeps, settings_.tolerance, kDeep,
+           [mutual](int sweep) { return sweep <= mutual; }});
+    crowd_.forEachMember(
+        [&](std::uint32_t slot)
         {
-            crowd_.enlist(strip);
-            turns_.meet();
-            turns_.findTurns(strip);
-            crowd_.forEachMember(
-                strip,
-                [this](std::uint32_t slot) {
-                    flown_[slot] = {crowd_[slot].position(), running_.velocity[crowd_.row(slot)]};
-                });
-            velocitySolver_.findContacts(strip, dt);
-            turns_.meet();
-            velocitySolver_.resolve(strip);
-            sweep(strip, sweeps);
-            crowd_.forEachMember(strip,
-                                 [&](std::uint32_t slot)
-                                 {
-                                     removeLiftEnergy(slot);
-                                     observe(crowd_.row(slot));
-                                 });
+            removeLiftEnergy(slot);
+            observe(crowd_.row(slot));
         });
 }
 
 void PositionSolver::separate()
 {
-    for (int k = 0; k < kMaxSeparations; ++k)
+    double deepest = kApart;
+    for (int k = 0; k < kMaxSeparations && deepest >= kApart; ++k)
     {
-        gatherAll();
-        crowd_.forEachStrip(
-            [&](std::size_t strip)
-            {
-                crowd_.enlist(strip);
-                turns_.meet();
-                sweep(strip, {1, 0, 0, [k](int) { return k % 2 == 1; }});
-            });
-        const auto end = deepest_.begin() + static_cast<std::ptrdiff_t>(crowd_.strips().size());
-        if (std::all_of(deepest_.begin(), end, [](double depth) { return depth < kApart; }))
-        {
-            return;
-        }
+        pairs_.findPairs();
+        crowd_.gather(down_);
+        deepest = sweep({1, 0, 0, [k](int) { return k % 2 == 1; }});
     }
 }
 
 void PositionSolver::separate(std::span<const std::uint32_t> some)
 {
     crowd_.gather(some, down_);
-    crowd_.arrange();
-    start();
-    crowd_.forEachStrip(
-        [&](std::size_t strip)
-        {
-            crowd_.enlist(strip);
-            turns_.meet();
-            sweep(strip, {kMaxSeparations, kApart, kDeep, [](int k) { return k % 2 == 1; }});
-        });
+    sweep({kMaxSeparations, kApart, kDeep, [](int k) { return k % 2 == 1; }});
 }
 
-// All that follows concerns only runners in pairs; what is at rest none of them overlaps.
-void PositionSolver::gatherAll()
+double PositionSolver::sweep(const Sweeps& sweeps)
 {
-    pairs_.findPairs();
-    crowd_.gather(down_);
-    crowd_.arrange();
-    start();
-}
-
-void PositionSolver::start()
-{
-    turns_.start();
     clear_.assign(crowd_.size(), 0);
-    deepest_.resize(std::max(deepest_.size(), crowd_.strips().size()));
+    double deepest = sweeps.tolerance;
+    for (int k = 0; k < sweeps.most && deepest >= sweeps.tolerance; ++k)
+    {
+        deepest = sweepOnce(sweeps.isMutual(k) ? 1 : 0, sweeps.liftDepth);
+    }
+    return deepest;
 }
 
-// A strip in which spheres are still deep goes on without having heard of the others.
-void PositionSolver::sweep(std::size_t strip, const Sweeps& sweeps)
+double PositionSolver::sweepOnce(double yieldShare, double liftDepth)
 {
-    for (int k = 0; k < sweeps.most; ++k)
-    {
-        const std::uint32_t number = kFirstOfPositions + static_cast<std::uint32_t>(k);
-        deepest_[strip] = sweepOnce(strip, number, sweeps.isMutual(k) ? 1 : 0, sweeps.liftDepth);
-        const bool isDeep = deepest_[strip] >= sweeps.tolerance;
-        if (k + 1 < sweeps.most && turns_.isLast(strip, number, isDeep))
-        {
-            break;
-        }
-    }
+    deepest_.resize(crowd_.slabs().size());
+    crowd_.sweep([&](std::size_t k)
+                 { deepest_[k] = sweepSlab(crowd_.slabs()[k], yieldShare, liftDepth); });
+    return *std::max_element(deepest_.begin(), deepest_.end());
 }
 
 // From below: a runner gives way by its share to those above it, whose turn is yet to come, and
 // takes what is left of the overlap with those below, so that one sweep lifts a whole pile off its
-// floor. Returns the deepest penetration that it found.
-double PositionSolver::sweepOnce(std::size_t strip, std::uint32_t number, double yieldShare,
-                                 double liftDepth)
+// floor.
+double PositionSolver::sweepSlab(const Crowd::Slab& slab, double yieldShare, double liftDepth)
 {
     double deepest = 0;
-    const std::uint32_t end = crowd_.strips()[strip].end;
-    for (std::uint32_t slot = crowd_.strips()[strip].begin; slot < end; ++slot)
+    for (std::uint32_t slot = slab.begin; slot < slab.end; ++slot)
     {
-        if (slot + kAhead < end)
+        if (slot + kAhead < slab.end)
         {
             flight_.prefetch(crowd_.row(slot + kAhead));
         }
-        turns_.awaitLower(slot, number);
-        if (number > kFirstOfPositions)
+        if (clear_[slot] != 0)
         {
-            turns_.awaitUpper(slot, number - 1);
+            continue;
         }
-        if (flag(clear_[slot]).load(std::memory_order_relaxed) == 0)
+        const auto push = pushOff(slot, yieldShare, liftDepth, deepest);
+        clear_[slot] = push ? 0 : 1;
+        if (push && !push->isZero(0))
         {
-            const auto push = pushOff(slot, yieldShare, liftDepth, deepest);
-            flag(clear_[slot]).store(push ? 0 : 1, std::memory_order_relaxed);
-            if (push && !push->isZero(0))
+            flight_.shift(crowd_.row(slot), *push);
+            crowd_.follow(slot);
+            for (const Crowd::Near& near : crowd_.near(slot))
             {
-                flight_.shift(crowd_.row(slot), *push);
-                crowd_.follow(slot);
-                for (const Crowd::Near& near : crowd_.near(slot))
-                {
-                    flag(clear_[near.slot]).store(0, std::memory_order_relaxed);
-                }
+                clear_[near.slot] = 0;
             }
         }
-        turns_.endTurn(slot, number);
     }
     return deepest;
 }

@@ -4,7 +4,6 @@
 #include "simulation/motion/free_flight.hpp"
 #include "simulation/solver/broad_phase.hpp"
 #include "simulation/solver/crowd.hpp"
-#include "simulation/solver/turns.hpp"
 #include "simulation/solver/velocity_solver.hpp"
 
 #include <functional>
@@ -23,8 +22,7 @@ public:
     PositionSolver(RunningSpheres& running, FreeFlight& flight, Threads& threads,
                    const SolverSettings& settings)
         : running_(running), pairs_(running, threads), flight_(flight), settings_(settings),
-          crowd_(running, pairs_, threads), turns_(crowd_),
-          velocitySolver_(running, flight, crowd_, turns_, settings)
+          crowd_(running, pairs_, threads), velocitySolver_(running, flight, crowd_, settings)
     {
         if (settings.usualRadius < 1)
         {
@@ -56,11 +54,11 @@ private:
         /// Whether in a sweep, counted from 0, one gives way to those above it by its share.
         std::function<bool(int sweep)> isMutual;
     };
-    void gatherAll();
     void resolveCrowd(double dt, const Observe& observe);
-    void start();
-    void sweep(std::size_t strip, const Sweeps& sweeps);
-    double sweepOnce(std::size_t strip, std::uint32_t number, double yieldShare, double liftDepth);
+    /// Returns the deepest penetration that the last sweep has found. [r]
+    double sweep(const Sweeps& sweeps);
+    double sweepOnce(double yieldShare, double liftDepth);
+    double sweepSlab(const Crowd::Slab& slab, double yieldShare, double liftDepth);
     /// `deepest` starts at that of the members before. Returns no push for who touches no other.
     [[nodiscard]] std::optional<Eigen::Vector3d> pushOff(std::uint32_t slot, double yieldShare,
                                                          double liftDepth, double& deepest) const;
@@ -71,7 +69,6 @@ private:
     FreeFlight& flight_;
     SolverSettings settings_;
     Crowd crowd_;
-    Turns turns_;
     VelocitySolver velocitySolver_;
     Eigen::Vector3d down_ = {0, -1, 0}; ///< the pull's direction in this step
     // By slot, in the step in hand.
@@ -84,7 +81,7 @@ private:
     /// Whether it touched none of those near it, none of which has been pushed since: it need not
     /// be looked at.
     std::vector<char> clear_;
-    std::vector<double> deepest_; ///< by strip: penetration that its last sweep has found
+    std::vector<double> deepest_; ///< by slab: penetration that its last sweep has found
 };
 
 } // namespace frostfill

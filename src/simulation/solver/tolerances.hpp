@@ -32,23 +32,15 @@ inline constexpr double kCoarser = 1.25;
 /// are no neighbours. [1]
 inline constexpr double kBeyondRounding = 1 + 1e-9;
 
-// Crowds on several threads. The answer is the same for any.
+// Slabs of a crowd.
 
-/// Members of a strip at least. Larger: small crowds are left to fewer threads. Smaller: threads
-/// wait for each other.
-inline constexpr std::size_t kFewestInStrip = 32;
-/// Members up to which a crowd is searched for clusters that do not touch. Larger: time, in vain
-/// where a pile hangs together. Smaller: strips wait for one another.
-inline constexpr std::size_t kMostInClusters = 2000;
-/// Members of a crowd for which threads that sleep are waited for: a step of theirs takes
-/// milliseconds, waking up some 50 us. Larger: one thread is left alone with more. Smaller: it
-/// waits.
-inline constexpr std::size_t kWorthWaking = 2000;
-/// Members for each strip that tell where strips end. Larger: time. Smaller: strips are less alike.
-inline constexpr std::size_t kSamplesOfStrip = 64;
+/// Members for each slab at least. Larger: small crowds are left to one thread. Smaller: threads
+/// wait for each other, and a pile passes the reaction of its floor through more borders.
+inline constexpr std::size_t kFewestInSlab = 128;
+/// Slabs at least: fewer occupy one thread most of the time. Such a crowd is left whole.
+inline constexpr std::size_t kFewestSlabs = 4;
 
 // Position solver.
-
 /// Longest push in one sweep. [own radius] Larger: spheres jump over their neighbours. Smaller:
 /// deep overlaps, as of spheres released into one another, take more sweeps.
 inline constexpr double kLongestPush = 0.2;

@@ -45,81 +45,57 @@ double VelocitySolver::shareOfUnlike(std::uint32_t a, std::uint32_t b,
     return massOfB / (massOfA + massOfB);
 }
 
-// Calls visit(upper, contacts).
+// Calls visit(upper, contacts) for each unit, slab by slab; see Crowd.
 template <class Visit>
-void VelocitySolver::forEachUnit(std::size_t strip, Visit&& visit) const
+void VelocitySolver::sweep(Visit&& visit) const
 {
-    const auto& [units, contacts] = strips_[strip];
-    std::uint32_t begin = 0;
-    for (const Unit& unit : units)
-    {
-        visit(unit.upper, std::span(contacts.data() + begin, unit.end - begin));
-        begin = unit.end;
-    }
-}
-
-void VelocitySolver::start(const Eigen::Vector3d& down)
-{
-    down_ = down;
-    strips_.resize(std::max(strips_.size(), crowd_.strips().size()));
-    velocity_.resize(crowd_.size());
-    normals_.resize(crowd_.size());
+    crowd_.sweep(
+        [&](std::size_t slab)
+        {
+            const auto& [units, contacts] = slabs_[slab];
+            std::uint32_t begin = 0;
+            for (const Unit& unit : units)
+            {
+                visit(unit.upper, std::span(contacts.data() + begin, unit.end - begin));
+                begin = unit.end;
+            }
+        });
 }
 
 // One pair after another, the lowest first, and each with what is at rest. A few rounds carry the
 // floor's reaction up a pile.
-void VelocitySolver::resolve(std::size_t strip)
+void VelocitySolver::resolve(const Eigen::Vector3d& down, double dt)
 {
-    collideInRounds(strip);
+    down_ = down;
+    slabs_.resize(std::max(slabs_.size(), crowd_.slabs().size()));
+    velocity_.resize(crowd_.size());
+    normals_.resize(crowd_.size());
+    crowd_.threads().forEachLarge(crowd_.slabs().size(),
+                                  [&](std::size_t slab) { findContacts(slab, dt); });
+    for (int round = 0; round < kRounds; ++round)
+    {
+        sweep(
+            [this](std::uint32_t upper, std::span<const ContactPair> contacts)
+            {
+                for (const ContactPair& contact : contacts)
+                {
+                    collide(upper, contact);
+                }
+            });
+    }
     if (settings_.stiff)
     {
-        stopOnLower(strip);
+        sweep([this](std::uint32_t upper, std::span<const ContactPair> contacts)
+              { stopOnLower(upper, contacts); });
     }
-    crowd_.forEachMember(strip,
-                         [this](std::uint32_t slot)
-                         {
-                             turns_.awaitRounds(slot, kRounds);
-                             running_.velocity[crowd_.row(slot)] = velocity_[slot];
-                         });
-}
-
-void VelocitySolver::collideInRounds(std::size_t strip)
-{
-    for (std::uint32_t round = 0; round < kRounds; ++round)
-    {
-        forEachUnit(strip,
-                    [&](std::uint32_t upper, std::span<const ContactPair> contacts)
-                    {
-                        turns_.awaitRound(upper, round);
-                        for (const ContactPair& contact : contacts)
-                        {
-                            collide(upper, contact);
-                        }
-                        turns_.endRound(upper);
-                    });
-    }
-}
-
-void VelocitySolver::stopOnLower(std::size_t strip)
-{
-    forEachUnit(strip,
-                [&](std::uint32_t upper, std::span<const ContactPair> contacts)
-                {
-                    turns_.awaitRounds(upper, kRounds);
-                    turns_.awaitLower(upper, kSweepOfVelocities);
-                    stopOnLower(upper, contacts);
-                    turns_.endTurn(upper, kSweepOfVelocities);
-                });
+    crowd_.forEachMember([this](std::uint32_t slot)
+                         { running_.velocity[crowd_.row(slot)] = velocity_[slot]; });
 }
 
 // Shock propagation [Guendelman et al. 2003]: what the rounds have left of an approach is lost, as
 // if the lower ones could not give way. No faster than it was, since what carries it may move.
 void VelocitySolver::stopOnLower(std::uint32_t upper, std::span<const ContactPair> contacts)
 {
-    if (contacts.empty())
-    {
-        return;
-    }
     Eigen::Vector3d& velocity = velocity_[upper];
     const double before = velocity.squaredNorm();
     bool approaches = true;
@@ -145,12 +121,12 @@ void VelocitySolver::stopOnLower(std::uint32_t upper, std::span<const ContactPai
 }
 
 // Of those that overlap or soon will, the lowest first.
-void VelocitySolver::findContacts(std::size_t strip, double dt)
+void VelocitySolver::findContacts(std::size_t slab, double dt)
 {
-    auto& [units, contacts] = strips_[strip];
+    auto& [units, contacts] = slabs_[slab];
     units.clear();
     contacts.clear();
-    const auto [begin, end] = crowd_.strips()[strip];
+    const auto [begin, end] = crowd_.slabs()[slab];
     for (std::uint32_t slot = begin; slot < end; ++slot)
     {
         const std::size_t first = contacts.size();
@@ -173,7 +149,7 @@ void VelocitySolver::findContacts(std::size_t strip, double dt)
             }
         }
         const auto last = static_cast<std::uint32_t>(contacts.size());
-        if (last > first || turns_.isAwaited(slot))
+        if (last > first)
         {
             units.push_back({slot, last});
         }

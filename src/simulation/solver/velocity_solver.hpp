@@ -5,7 +5,6 @@
 
 #include "simulation/motion/free_flight.hpp"
 #include "simulation/solver/crowd.hpp"
-#include "simulation/solver/turns.hpp"
 
 #include <algorithm>
 #include <span>
@@ -32,20 +31,16 @@ struct SolverSettings
 class VelocitySolver
 {
 public:
-    /// `flight` knows what is at rest and touches each; `turns` are those of `crowd`.
-    VelocitySolver(RunningSpheres& running, FreeFlight& flight, const Crowd& crowd, Turns& turns,
+    /// `flight` knows what is at rest and touches each.
+    VelocitySolver(RunningSpheres& running, FreeFlight& flight, const Crowd& crowd,
                    const SolverSettings& settings)
-        : running_(running), flight_(flight), crowd_(crowd), turns_(turns), settings_(settings),
+        : running_(running), flight_(flight), crowd_(crowd), settings_(settings),
           yields_(running, [](std::uint32_t, char& yields) { yields = 1; })
     {
     }
 
-    /// To be called for each crowd that is gathered. `down`: the direction of the pull.
-    void start(const Eigen::Vector3d& down);
-    // Then for each strip of it: the first, once all strips are enlisted, and the second, once the
-    // first is done for all. The runners' velocities are those of afterwards.
-    void findContacts(std::size_t strip, double dt);
-    void resolve(std::size_t strip);
+    /// Changes the velocities of the crowd's runners. `down`: the direction of the pull.
+    void resolve(const Eigen::Vector3d& down, double dt);
 
     /// Whether it gives way to other runners. One that nothing at rest has carried for long stops
     /// giving way, so that it comes down to something that does.
@@ -73,23 +68,22 @@ private:
         double allowed;         ///< approach that only closes the gap [sqrt(g r)]
     };
 
-    /// A member that is in contact with some below it, or whose turn others wait for.
+    /// A member in contact with lower ones.
     struct Unit
     {
         std::uint32_t upper; ///< slot
         std::uint32_t end;   ///< of its contacts; they begin where those of the one before end
     };
-    /// In the order of turns.
-    struct InStrip
+    /// The lowest first.
+    struct InSlab
     {
         std::vector<Unit> units;
         std::vector<ContactPair> contacts;
     };
+    void findContacts(std::size_t slab, double dt);
     template <class Visit>
-    void forEachUnit(std::size_t strip, Visit&& visit) const;
+    void sweep(Visit&& visit) const;
     void collide(std::uint32_t upper, const ContactPair& contact);
-    void collideInRounds(std::size_t strip);
-    void stopOnLower(std::size_t strip);
     void stopOnLower(std::uint32_t upper, std::span<const ContactPair> contacts);
     void stopAtRest(std::uint32_t slot);
     [[nodiscard]] double shareOfUnlike(std::uint32_t a, std::uint32_t b,
@@ -98,11 +92,10 @@ private:
     RunningSpheres& running_;
     FreeFlight& flight_;
     const Crowd& crowd_;
-    Turns& turns_;
     SolverSettings settings_;
     RunningColumn<char> yields_;
     Eigen::Vector3d down_ = {0, -1, 0};
-    std::vector<InStrip> strips_;
+    std::vector<InSlab> slabs_;
     // By slot.
     std::vector<Eigen::Vector3d> velocity_;
     std::vector<std::span<const Eigen::Vector3d>> normals_; ///< of what is at rest and touches it

@@ -1,89 +1,182 @@
 // SPDX-License-Identifier: MIT
-// Strips of a crowd that are taken at once, against one after another.
+// Crowds in slabs that are visited at the same time.
 
 #include "base/random.hpp"
 #include "simulation/solver/tolerances.hpp"
-#include "unit/simulation/solver/crowd_of_pile.hpp"
+#include "unit/simulation/solver/pile.hpp"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 namespace frostfill
 {
 namespace
 {
 
-std::vector<double> unlikeRadii(std::uint64_t seed)
+constexpr double kRadius = 0.35;
+constexpr std::uint32_t kLong = 20;
+constexpr std::uint32_t kShort = 10;
+constexpr std::uint32_t kHigh = 4;
+constexpr std::uint32_t kAll = kLong * kShort * kHigh;
+
+// As many as the tests ask for, however few cores there are.
+const tbb::global_control kCrowdThreads(tbb::global_control::max_allowed_parallelism, 8);
+
+/// Runners side by side, shaken, some pressed into others; the longer side along x or z.
+std::vector<Eigen::Vector3d> crowdedPlaces(std::uint64_t seed, bool alongZ = false)
 {
-    std::vector<double> radii;
-    for (std::uint64_t k = 0; k < 343; ++k)
+    std::vector<Eigen::Vector3d> places;
+    for (std::uint64_t k = 0; k < kAll; ++k)
     {
-        radii.push_back(0.4 + 0.6 * uniformRandom(seed, k, 4));
+        const auto at = [&](std::uint64_t n, std::uint32_t count, std::uint64_t axis)
+        {
+            const double middle = 0.5 * (count - 1);
+            return kRadius * (1.95 * (static_cast<double>(n) - middle) +
+                              0.4 * (uniformRandom(seed, k, axis) - 0.5));
+        };
+        const double x = at(k % kLong, kLong, 0);
+        const double z = at(k / kLong % kShort, kShort, 2);
+        const double y = at(k / kLong / kShort, kHigh, 1);
+        places.emplace_back(alongZ ? z : x, y, alongZ ? x : z);
+    }
+    return places;
+}
+
+std::vector<double> radiiOfCrowd(std::uint64_t seed, bool unlike)
+{
+    std::vector<double> radii(kAll, kRadius);
+    for (std::uint64_t k = 0; unlike && k < kAll; ++k)
+    {
+        radii[k] *= 0.5 + 0.5 * uniformRandom(seed, k, 4);
     }
     return radii;
 }
 
-class CrowdTest : public testing::TestWithParam<int>
+/// A crowd of all runners of a pile.
+struct CrowdOfPile
 {
-protected:
-    [[nodiscard]] std::size_t strips() const { return static_cast<std::size_t>(GetParam()); }
+    explicit CrowdOfPile(const std::vector<Eigen::Vector3d>& places)
+        : pile(places, std::vector<double>(places.size(), kRadius))
+    {
+        pairs.findPairs();
+        crowd.gather({0, -1, 0});
+    }
+
+    Pile pile;
+    BroadPhase pairs{pile.running, pile.threads};
+    Crowd crowd{pile.running, pairs, pile.threads};
 };
 
-TEST_P(CrowdTest, HasEachRunnerOnceTheLowestFirstInEachStrip)
+TEST(Crowd, HasEachRunnerOnceTheLowestFirstInEachSlab)
 {
-    CrowdOfPile all(strips());
+    const CrowdOfPile all(crowdedPlaces(1));
     const Crowd& crowd = all.crowd;
-    all.crowd.forEachStrip([&](std::size_t strip) { all.crowd.enlist(strip); });
-    ASSERT_EQ(crowd.strips().size(), std::min<std::size_t>(strips(), 343 / kFewestInStrip));
-    std::vector<std::uint32_t> rows;
-    std::vector<std::uint32_t> ranks;
+    EXPECT_GE(crowd.slabs().size(), kFewestSlabs);
+    EXPECT_LE(crowd.slabs().size(), kAll / kFewestInSlab);
+    std::set<std::uint32_t> rows;
     std::uint32_t next = 0;
-    for (const Crowd::Strip& strip : crowd.strips())
+    for (const Crowd::Slab& slab : crowd.slabs())
     {
-        EXPECT_EQ(strip.begin, next);
-        next = strip.end;
-        EXPECT_GE(strip.end - strip.begin, 343 / crowd.strips().size() / 2) << "of equal numbers";
-        for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
+        EXPECT_EQ(slab.begin, next);
+        next = slab.end;
+        for (std::uint32_t slot = slab.begin; slot < slab.end; ++slot)
         {
-            rows.push_back(crowd.row(slot));
-            ranks.push_back(crowd.rank(slot));
+            rows.insert(crowd.row(slot));
             EXPECT_EQ(crowd[slot].position(), all.pile.running.position[crowd.row(slot)]);
-            if (slot > strip.begin)
+            if (slot > slab.begin)
             {
                 EXPECT_LE(crowd[slot - 1].y, crowd[slot].y);
-                EXPECT_LT(crowd.rank(slot - 1), crowd.rank(slot));
             }
         }
     }
-    EXPECT_EQ(next, 343U);
-    for (std::vector<std::uint32_t>* numbers : {&rows, &ranks})
+    EXPECT_EQ(next, kAll);
+    EXPECT_EQ(rows.size(), kAll);
+}
+
+TEST(Crowd, KnowsNeighboursAndWhichAreLower)
+{
+    const CrowdOfPile all(crowdedPlaces(1));
+    for (std::uint32_t slot = 0; slot < all.crowd.size(); ++slot)
     {
-        std::sort(numbers->begin(), numbers->end());
-        for (std::uint32_t k = 0; k < 343; ++k)
+        std::vector<std::uint32_t> near;
+        for (const Crowd::Near& one : all.crowd.near(slot))
         {
-            ASSERT_EQ((*numbers)[k], k);
+            near.push_back(all.crowd.row(one.slot));
+            EXPECT_EQ(one.isLower != 0, all.crowd[one.slot].y < all.crowd[slot].y);
+        }
+        EXPECT_EQ(near, all.pairs.nearby(all.crowd.row(slot)));
+    }
+}
+
+// Slabs at the same time: a member of another one is neither a neighbour nor has the same one.
+TEST(Crowd, HasNoNeighbourInTwoSlabsAtTheSameTime)
+{
+    for (const bool alongZ : {false, true})
+    {
+        const CrowdOfPile all(crowdedPlaces(2, alongZ));
+        const Crowd& crowd = all.crowd;
+        ASSERT_GE(crowd.slabs().size(), kFewestSlabs) << "along the longer side";
+        for (const std::size_t parity : {0U, 1U})
+        {
+            std::vector<std::size_t> touchedBy(crowd.size(), crowd.slabs().size());
+            for (std::size_t k = parity; k < crowd.slabs().size(); k += 2)
+            {
+                const auto touch = [&](std::uint32_t slot)
+                {
+                    EXPECT_TRUE(touchedBy[slot] == crowd.slabs().size() || touchedBy[slot] == k);
+                    touchedBy[slot] = k;
+                };
+                for (auto slot = crowd.slabs()[k].begin; slot < crowd.slabs()[k].end; ++slot)
+                {
+                    touch(slot);
+                    for (const Crowd::Near& near : crowd.near(slot))
+                    {
+                        touch(near.slot);
+                    }
+                }
+            }
         }
     }
 }
 
-// What is no number is told of at the end of a step, not in its middle.
-TEST(Crowd, HasTheLowestFirstWhereSomeHeightsAreNoNumbers)
+TEST(Crowd, IsWholeWhereItIsSmallOrNarrowOrNotFinite)
 {
-    std::vector<Eigen::Vector3d> places = shakenPlaces(1);
+    std::vector<Eigen::Vector3d> places = crowdedPlaces(3);
+    std::vector<Eigen::Vector3d> column;
+    for (const Eigen::Vector3d& p : places)
+    {
+        column.emplace_back(0.1 * p.x(), 10 * p.y(), 0.1 * p.z());
+    }
+    EXPECT_EQ(CrowdOfPile(column).crowd.slabs().size(), 1U);
+    std::vector<Eigen::Vector3d> few = places;
+    few.resize(kFewestSlabs * kFewestInSlab - 1);
+    EXPECT_EQ(CrowdOfPile(few).crowd.slabs().size(), 1U);
+
+    CrowdOfPile all(places);
+    ASSERT_GT(all.crowd.slabs().size(), 1U);
+    all.pile.running.position[700].x() = std::numeric_limits<double>::quiet_NaN();
+    all.crowd.gather({0, -1, 0});
+    EXPECT_EQ(all.crowd.slabs().size(), 1U);
+}
+
+// The guard finds what is not finite at the end of a step.
+TEST(Crowd, HasTheLowestFirstWhereSomeHeightsAreNotFinite)
+{
+    std::vector<Eigen::Vector3d> places = crowdedPlaces(1);
     for (std::size_t k = 0; k < places.size(); k += 5)
     {
         places[k].y() = std::numeric_limits<double>::quiet_NaN();
     }
-    CrowdOfPile all(1, places, 1);
+    CrowdOfPile all(places);
     std::vector<std::uint32_t> rows(places.size());
     std::iota(rows.begin(), rows.end(), 0);
     all.crowd.gather(rows, {0, -1, 0});
-    all.crowd.arrange();
-    all.crowd.forEachStrip([&](std::size_t strip) { all.crowd.enlist(strip); });
     double before = -std::numeric_limits<double>::infinity();
     std::size_t finite = 0;
     for (std::uint32_t slot = 0; slot < all.crowd.size(); ++slot)
@@ -99,144 +192,31 @@ TEST(Crowd, HasTheLowestFirstWhereSomeHeightsAreNoNumbers)
     EXPECT_EQ(finite, places.size() - (places.size() + 4) / 5);
 }
 
-TEST_P(CrowdTest, KnowsWhoIsNearLowerAndOfAnotherStrip)
+class CrowdTest : public testing::TestWithParam<int>
 {
-    CrowdOfPile all(strips());
-    const Crowd& crowd = all.crowd;
-    all.crowd.forEachStrip([&](std::size_t strip) { all.crowd.enlist(strip); });
-    for (const Crowd::Strip& strip : crowd.strips())
-    {
-        for (std::uint32_t slot = strip.begin; slot < strip.end; ++slot)
-        {
-            std::vector<std::uint32_t> near;
-            bool shared = false;
-            for (const Crowd::Near& one : crowd.near(slot))
-            {
-                near.push_back(crowd.row(one.slot));
-                EXPECT_EQ(one.isLower != 0, crowd.rank(one.slot) < crowd.rank(slot));
-                const bool inStrip = one.slot >= strip.begin && one.slot < strip.end;
-                EXPECT_EQ(one.isForeign != 0, !inStrip);
-                shared = shared || !inStrip;
-            }
-            EXPECT_EQ(near, all.pairs.nearby(crowd.row(slot)));
-            EXPECT_EQ(crowd.isShared(slot), shared);
-        }
-    }
-}
-
-// What each member sees of those nearby is what it would see if all came one after another.
-TEST_P(CrowdTest, GivesTurnsOfASweepInTheOrderOfOne)
-{
-    CrowdOfPile all(strips());
-    std::vector<std::uint32_t> turnsHad(343, 0);
-    all.crowd.forEachStrip(
-        [&](std::size_t strip)
-        {
-            all.crowd.enlist(strip);
-            all.turns.meet();
-            for (std::uint32_t sweep = 1; sweep <= 20; ++sweep)
-            {
-                all.crowd.forEachMember(strip,
-                                        [&](std::uint32_t slot)
-                                        {
-                                            all.turns.awaitLower(slot, sweep);
-                                            if (sweep > 1)
-                                            {
-                                                all.turns.awaitUpper(slot, sweep - 1);
-                                            }
-                                            for (const Crowd::Near& near : all.crowd.near(slot))
-                                            {
-                                                EXPECT_EQ(turnsHad[near.slot],
-                                                          near.isLower != 0 ? sweep : sweep - 1);
-                                            }
-                                            ++turnsHad[slot];
-                                            all.turns.endTurn(slot, sweep);
-                                        });
-            }
-        });
-    EXPECT_EQ(std::count(turnsHad.begin(), turnsHad.end(), 20U), 343);
-}
-
-TEST_P(CrowdTest, GivesTurnsOfRoundsInTheOrderOfOne)
-{
-    constexpr std::uint32_t kRoundsHere = 6;
-    // By row: the turns that have changed it, by round and row.
-    using Log = std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>>;
-    const auto logOf = [](std::size_t strips)
-    {
-        CrowdOfPile all(strips);
-        Log log(343);
-        all.crowd.forEachStrip(
-            [&](std::size_t strip)
-            {
-                all.crowd.enlist(strip);
-                all.turns.meet();
-                all.turns.findTurns(strip);
-                all.turns.meet();
-                const auto change = [&](std::uint32_t slot, std::uint32_t round, std::uint32_t by)
-                { log[all.crowd.row(slot)].emplace_back(round, all.crowd.row(by)); };
-                for (std::uint32_t round = 0; round < kRoundsHere; ++round)
-                {
-                    all.crowd.forEachMember(strip,
-                                            [&](std::uint32_t slot)
-                                            {
-                                                all.turns.awaitRound(slot, round);
-                                                change(slot, round, slot);
-                                                for (const Crowd::Near& near : all.crowd.near(slot))
-                                                {
-                                                    if (near.isLower != 0)
-                                                    {
-                                                        change(near.slot, round, slot);
-                                                    }
-                                                }
-                                                all.turns.endRound(slot);
-                                            });
-                }
-                // Whoever has had all its rounds is changed no more.
-                all.crowd.forEachMember(
-                    strip,
-                    [&](std::uint32_t slot)
-                    {
-                        all.turns.awaitRounds(slot, kRoundsHere);
-                        const auto& turns = log[all.crowd.row(slot)];
-                        const auto isLast = [](const auto& turn)
-                        { return turn.first == kRoundsHere - 1; };
-                        const auto near = all.crowd.near(slot);
-                        const auto above =
-                            std::count_if(near.begin(), near.end(),
-                                          [](const auto& one) { return one.isLower == 0; });
-                        EXPECT_EQ(std::count_if(turns.begin(), turns.end(), isLast), above + 1);
-                    });
-            });
-        return log;
-    };
-    EXPECT_EQ(logOf(strips()), logOf(1));
-}
+};
 
 TEST_P(CrowdTest, MovesAsOneThreadMovesIt)
 {
-    for (const std::uint64_t seed : {1U, 2U, 3U})
+    for (const bool unlike : {false, true})
     {
-        for (const bool unlike : {false, true})
+        const std::vector<double> radii = radiiOfCrowd(1, unlike);
+        Pile alone(crowdedPlaces(1), radii);
+        Pile many(crowdedPlaces(1), radii, GetParam());
+        // Some do not give way.
+        for (std::uint32_t row = 0; row < kAll; row += 5)
         {
-            const std::vector<double> radii = unlike ? unlikeRadii(seed) : std::vector<double>();
-            Pile alone(shakenPlaces(seed), radii);
-            Pile many(shakenPlaces(seed), radii, strips());
-            // Some do not give way.
-            for (std::uint32_t row = 0; row < 343; row += 5)
+            alone.positionSolver.velocities().stopYielding(row);
+            many.positionSolver.velocities().stopYielding(row);
+        }
+        for (int k = 0; k < 15; ++k)
+        {
+            alone.step();
+            many.step();
+            for (std::uint32_t row = 0; row < kAll; ++row)
             {
-                alone.positionSolver.velocities().stopYielding(row);
-                many.positionSolver.velocities().stopYielding(row);
-            }
-            for (int k = 0; k < 15; ++k)
-            {
-                alone.step();
-                many.step();
-                for (std::uint32_t row = 0; row < 343; ++row)
-                {
-                    ASSERT_EQ(alone.running.position[row], many.running.position[row]);
-                    ASSERT_EQ(alone.running.velocity[row], many.running.velocity[row]);
-                }
+                ASSERT_EQ(alone.running.position[row], many.running.position[row]);
+                ASSERT_EQ(alone.running.velocity[row], many.running.velocity[row]);
             }
         }
     }
@@ -244,10 +224,10 @@ TEST_P(CrowdTest, MovesAsOneThreadMovesIt)
 
 TEST_P(CrowdTest, IsTakenApartAsByOneThread)
 {
-    Pile alone(shakenPlaces(4));
-    Pile many(shakenPlaces(4), {}, strips());
+    Pile alone(crowdedPlaces(4), radiiOfCrowd(4, false));
+    Pile many(crowdedPlaces(4), radiiOfCrowd(4, false), GetParam());
     std::vector<std::uint32_t> some;
-    for (std::uint32_t row = 0; row < 343; ++row)
+    for (std::uint32_t row = 0; row < kAll; ++row)
     {
         if (row % 7 != 3)
         {
@@ -260,17 +240,18 @@ TEST_P(CrowdTest, IsTakenApartAsByOneThread)
         pile->positionSolver.separate(some);
         pile->positionSolver.separate();
     }
-    for (std::uint32_t row = 0; row < 343; ++row)
+    for (std::uint32_t row = 0; row < kAll; ++row)
     {
         ASSERT_EQ(alone.running.position[row], many.running.position[row]);
         for (const std::uint32_t other : many.positionSolver.pairs().nearby(row))
         {
-            EXPECT_GT((many.running.position[row] - many.running.position[other]).norm(), 2 - 1e-6);
+            EXPECT_GT((many.running.position[row] - many.running.position[other]).norm(),
+                      2 * kRadius - 1e-6);
         }
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OfStrips, CrowdTest, testing::Values(1, 2, 3, 8, 16),
+INSTANTIATE_TEST_SUITE_P(OnThreads, CrowdTest, testing::Values(2, 3, 8),
                          testing::PrintToStringParamName());
 
 } // namespace

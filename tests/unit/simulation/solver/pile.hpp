@@ -26,8 +26,8 @@ inline Scene sceneOfPile()
 struct Pile
 {
     explicit Pile(const std::vector<Eigen::Vector3d>& places, const std::vector<double>& radii = {},
-                  std::size_t strips = 1)
-        : threads(static_cast<int>(strips), strips)
+                  int threadCount = 1)
+        : threads(threadCount)
     {
         for (std::size_t k = 0; k < places.size(); ++k)
         {

@@ -253,10 +253,10 @@ TEST(PositionSolver, ShowsEachRunnerOnceWhereItStays)
         places.emplace_back(2 * (k % 8) - 7 + shift, 2 * (k / 8 % 8) - 7, 5 * (k / 64) - 2);
     }
     const std::vector<double> radii(places.size(), 0.6);
-    for (const std::size_t strips : {1, 2, 5})
+    for (const int threads : {1, 2, 5})
     {
-        SCOPED_TRACE(strips);
-        Pile with(places, radii, strips);
+        SCOPED_TRACE(threads);
+        Pile with(places, radii, threads);
         Pile without(places, radii, 1);
         int both = 0;
         for (int step = 0; step < 20; ++step)
