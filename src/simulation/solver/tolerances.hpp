@@ -41,6 +41,7 @@ inline constexpr std::size_t kFewestInSlab = 128;
 inline constexpr std::size_t kFewestSlabs = 4;
 
 // Position solver.
+
 /// Longest push in one sweep. [own radius] Larger: spheres jump over their neighbours. Smaller:
 /// deep overlaps, as of spheres released into one another, take more sweeps.
 inline constexpr double kLongestPush = 0.2;
