@@ -60,8 +60,8 @@ Fill fillCube(double radius, int threadCount)
     const auto start = std::chrono::steady_clock::now();
     while (const auto found = observers.release->next(query))
     {
-        const std::uint32_t id = world.spheres.addResting(found->place, found->radius, 0);
-        observers.add(id, found->place, found->radius);
+        world.spheres.addResting(found->place, found->radius, 0);
+        observers.add(found->place, found->radius);
     }
     fill.all = secondsSince(start);
     fill.spheres = world.spheres.size();

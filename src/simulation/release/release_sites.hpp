@@ -20,11 +20,11 @@ struct Draw
 {
     std::uint64_t number = 0;
     std::uint32_t site = 0;
-    double radius = 0;             ///< of the sphere [r]
-    bool isKnown = false;          ///< The following is computed and up to date.
-    bool isClear = false;          ///< There is a clear place near the site.
-    bool stays = false;            ///< The sphere can stay at `place`.
-    Eigen::Vector3d place;         ///< after ReleaseQuery::prepare
+    double radius = 0;                               ///< of the sphere [r]
+    bool isKnown = false;                            ///< The following is computed and up to date.
+    bool isClear = false;                            ///< There is a clear place near the site.
+    bool stays = false;                              ///< The sphere can stay at `place`.
+    Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< after ReleaseQuery::prepare
     Eigen::AlignedBox3d seen = {}; ///< holds the centres of all spheres that change the result
 
     /// Whether this is the draw with that number, of that site for that radius.
