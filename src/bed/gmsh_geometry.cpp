@@ -110,9 +110,9 @@ double writeGmshBed(const Bed& bed, const std::filesystem::path& folder, Files& 
     const double shrunk = std::pow(bed.treatedRadius(0) / bed.radius(0), 3);
     const double space = bed.containerVolume() * (1 - shrunk * (1 - bed.porosity()));
     summary["porosity_of_geometry"] = space / bed.containerVolume();
-    // Of seven beds in three containers this is within 30 %: gmsh refines at contacts and walls.
-    const double cells = 10 * space / std::pow(edge, 3) + 150 * static_cast<double>(bed.size()) +
-                         8 * static_cast<double>(bed.mesh().triangles.size());
+    // Of four beds in three containers this is within 30 %: gmsh refines at contacts and walls.
+    const double cells = 9 * space / std::pow(edge, 3) + 150 * static_cast<double>(bed.size()) +
+                         4 * static_cast<double>(bed.mesh().triangles.size());
     summary["estimated_cells"] = std::llround(cells);
     writeSummary(summary, files.back());
     return cells;
