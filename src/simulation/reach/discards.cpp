@@ -56,40 +56,32 @@ void Discards::use(OpenCubes&& open)
 
 void Discards::update()
 {
-    const std::uint32_t mark = isOff_ || isOver_ ? mark_ : newestMark();
-    if (isOff_ || isOver_ || (mark == mark_ && !world_.clock.finished))
+    const std::uint32_t mark = newestMark();
+    if (isOff_ || mark <= mark_)
     {
         return;
     }
     const StageTimer timer(world_.counts.times, Stage::discarding);
-    isOver_ = world_.clock.finished;
-    const bool allGo = isOver_ && world_.clock.full;
-    if (!allGo && !findOpenCubes())
+    if (!findOpenCubes())
     {
         return;
     }
     const std::uint32_t before = std::exchange(mark_, mark);
-    for (std::uint32_t row = before; row < mark && !allGo; ++row)
+    for (std::uint32_t row = before; row < mark; ++row)
     {
         close(world_.spheres.resting()[row]);
     }
-    discardFrom(before, allGo);
-    if (isOver_)
-    {
-        open_.reset();
-        spheres_ = {};
-        polygons_ = {};
-    }
+    discardFrom(before);
 }
 
 // Of the spheres those that came to rest from a row on have not been looked at yet.
-void Discards::discardFrom(std::uint32_t newest, bool allGo)
+void Discards::discardFrom(std::uint32_t newest)
 {
     const SphereGrid& resting = world_.spheres.resting();
     const auto sphereGoes = [&](Kept& kept)
     {
         const Ball& ball = resting[kept.index];
-        const bool goes = allGo || !(isOpen(kept.witness) || canBeTouched(ball, kept.witness));
+        const bool goes = !(isOpen(kept.witness) || canBeTouched(ball, kept.witness));
         if (goes)
         {
             world_.spheres.discard(resting.id(kept.index));
@@ -108,8 +100,8 @@ void Discards::discardFrom(std::uint32_t newest, bool allGo)
     std::erase_if(polygons_,
                   [&](Kept& kept)
                   {
-                      const bool goes = allGo || !(isOpen(kept.witness) ||
-                                                   canBeTouched(kept.index, kept.witness));
+                      const bool goes =
+                          !(isOpen(kept.witness) || canBeTouched(kept.index, kept.witness));
                       if (goes)
                       {
                           world_.discardPolygon(kept.index);
@@ -122,11 +114,11 @@ void Discards::discardFrom(std::uint32_t newest, bool allGo)
 std::uint32_t Discards::newestMark() const
 {
     const auto resting = static_cast<std::uint32_t>(world_.spheres.resting().size());
-    if (world_.clock.finished)
+    if (wakesEverything(world_.scene))
     {
-        return resting;
+        return world_.clock.finished ? resting : 0;
     }
-    return wakesEverything(world_.scene) ? 0 : resting - resting % step_;
+    return resting - resting % step_;
 }
 
 bool Discards::findOpenCubes()

@@ -18,11 +18,10 @@ namespace frostfill
 /// somebody asks: for a picture, a table, a column, or at the end. See OpenCubes for the proof.
 ///
 /// The answer is a function of the spheres that were at rest at the newest mark: a multiple of a
-/// fiftieth of the run, or its end. It is therefore the same however often somebody asks, and what
-/// is discarded stays so. A sphere may yet appear wherever one fits, in a hole of the pile as well
-/// as above it. At the end of a run, what is discarded is what a further sphere could not touch; in
-/// a full object that is all. Where the object moves or all settle together, everything may run
-/// again: nothing is discarded before that is over.
+/// fiftieth of the run. It is therefore the same however often somebody asks, what is discarded
+/// stays so, and the end of a run changes nothing that its last picture shows. A sphere may yet
+/// appear wherever one fits, in a hole of the pile as well as above it. Where the object moves or
+/// all settle together, everything may run again: nothing is discarded before that is over.
 class Discards
 {
 public:
@@ -51,7 +50,7 @@ private:
     template <class IsCubeNear>
     [[nodiscard]] bool findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear,
                                  const IsNear& isNear);
-    void discardFrom(std::uint32_t newest, bool allGo);
+    void discardFrom(std::uint32_t newest);
 
     World& world_;
     ClearSearch search_;

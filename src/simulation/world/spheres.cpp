@@ -132,6 +132,7 @@ void Spheres::wake(std::uint32_t id)
 {
     const std::uint32_t gone = row(id);
     const Ball ball = resting_[gone];
+    discarded_ -= resting_.isDiscarded(gone) ? 1 : 0;
     resting_.remove(gone);
     if (gone < resting_.size())
     {
