@@ -36,6 +36,7 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
     {
         snapshot.columns = carriedColumns();
     }
+    std::uint64_t revision = 0;
     const auto take = [&]
     {
         const std::size_t number = 2 * run.numbers.size();
@@ -46,6 +47,7 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
         writer.put(number, snapshot, exact);
         run.numbers.push_back(number);
         run.frames.push_back(snapshot);
+        revision = simulation.revision();
     };
     take();
     for (std::size_t step = 1; simulation.step(); ++step)
@@ -55,7 +57,10 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
             take();
         }
     }
-    take();
+    if (simulation.revision() != revision)
+    {
+        take();
+    }
     for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
     {
         run.spheres.push_back(simulation.sphere(id));

@@ -73,12 +73,12 @@ TEST(MemoryNeed, NamesARadiusThatIsLargeEnough)
         "--radius of 0.0078 or more", "1 GB");
     EXPECT_NO_THROW(requireMemory(scene, cube, 0.0078, 8 / std::pow(0.0078, 3), {1e9}));
     test::expectError(
-        ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.002, 20, {1e9}); },
+        ErrorCode::outOfMemory, [&] { requireMemory(scene, cube, 0.0023, 20, {1e9}); },
         "--radius of 0.0078 or more");
     test::expectError(
         ErrorCode::outOfMemory,
         [&] {
-            requireMemory(scene, cube, 0.002, 20, {1e9, "that the group leaves"});
+            requireMemory(scene, cube, 0.0023, 20, {1e9, "that the group leaves"});
         },
         "more than the 1 GB of memory that the group leaves; take a --radius");
     test::expectError(
