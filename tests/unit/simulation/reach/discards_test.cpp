@@ -277,7 +277,7 @@ protected:
 
 TEST_F(FullBox, OnlyTheNeighboursOfTheHoleAreKept)
 {
-    world_->scene.spheres.count = 50; // a mark for each sphere
+    world_->targetCount = 50; // a mark for each sphere
     Discards discards(*world_);
     discards.update();
     EXPECT_EQ(world_->spheres.discardedCount(), ids_.size() - 12);
