@@ -129,7 +129,10 @@ void FrameRecorder::finish(const RunStates& run, const std::function<void()>& ta
     }
     over_ = true;
     next_ = lastOnly_ ? 0 : next_;
-    observe(run, run.time());
+    if (seen_ != run.revision()) // otherwise the frame before shows the end
+    {
+        observe(run, run.time());
+    }
     if (painter_)
     {
         painter_->finish(next_, state(), taken);
