@@ -129,9 +129,13 @@ void FrameRecorder::finish(const RunStates& run, const std::function<void()>& ta
     }
     over_ = true;
     next_ = lastOnly_ ? 0 : next_;
-    if (seen_ != run.revision()) // otherwise the frame before shows the end
+    if (seen_ != run.revision())
     {
         observe(run, run.time());
+    }
+    else
+    {
+        --next_; // the frame before shows the end
     }
     if (painter_)
     {
