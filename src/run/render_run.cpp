@@ -223,7 +223,7 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
     if (painter.wantsLast(frames.lastNumber()))
     {
         const Snapshot& state = frames.last();
-        last = {&state, reader.revision()};
+        last = {&state, reader.revision() + 1}; // drawn even if it repeats the frame before
     }
     painter.finish(frames.lastNumber(), last, progressed);
     return false;
