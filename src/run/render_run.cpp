@@ -223,7 +223,8 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
     if (painter.wantsLast(frames.lastNumber()))
     {
         const Snapshot& state = frames.last();
-        last = {&state, reader.revision() + 1}; // drawn even if it repeats the frame before
+        last = {&state,
+                reader.revision() + (reader.summary() ? 1 : 0)}; // drawn even if it repeats one
     }
     painter.finish(frames.lastNumber(), last, progressed);
     return false;
