@@ -129,14 +129,7 @@ void FrameRecorder::finish(const RunStates& run, const std::function<void()>& ta
     }
     over_ = true;
     next_ = lastOnly_ ? 0 : next_;
-    if (seen_ != run.revision())
-    {
-        observe(run, run.time());
-    }
-    else
-    {
-        --next_; // the frame before shows the end
-    }
+    observe(run, run.time());
     if (painter_)
     {
         painter_->finish(next_, state(), taken);

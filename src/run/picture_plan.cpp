@@ -36,12 +36,10 @@ PicturePlan::Picture PicturePlan::take(std::size_t frame, std::uint64_t state)
 
 PicturePlan::Rest PicturePlan::restAfter(std::size_t last) const
 {
+    const std::size_t begin = std::max(last, next_); // of a run that has not ended, last is drawn
     const bool turns = held_ == 0 && selected_ == 0;
     const std::size_t shown = turns ? turn_ : held_;
-    // The last state may be drawn already.
-    const std::size_t begin = turns ? last : std::max(last, next_);
-    return {begin, last + std::max<std::size_t>(shown, 1), shown > 0,
-            turns && shown > 0 ? begin : 0};
+    return {begin, shown > 0 ? begin + shown : last + 1, shown > 0, turns && shown > 0 ? begin : 0};
 }
 
 bool PicturePlan::isSelected(std::size_t frame, const Rest& rest, bool isNews) const

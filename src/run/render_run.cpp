@@ -223,8 +223,7 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
     if (painter.wantsLast(frames.lastNumber()))
     {
         const Snapshot& state = frames.last();
-        last = {&state,
-                reader.revision() + (reader.summary() ? 1 : 0)}; // drawn even if it repeats one
+        last = {&state, reader.revision()};
     }
     painter.finish(frames.lastNumber(), last, progressed);
     return false;

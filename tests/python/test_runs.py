@@ -12,7 +12,7 @@ from support import FolderCase, frostfill, run_program, unittest
 class Runs(FolderCase):
     @classmethod
     def setUpClass(cls):
-        cls.run_ = frostfill.fill("torus", count=60, duration=2, frames_fps=10, seed=7)
+        cls.run_ = frostfill.fill("torus", count=60, duration=2.05, frames_fps=10, seed=7)
 
     def test_have_a_frame_for_each_of_the_animation(self):
         run = self.run_

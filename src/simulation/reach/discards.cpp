@@ -114,11 +114,12 @@ void Discards::discardFrom(std::uint32_t newest)
 std::uint32_t Discards::newestMark() const
 {
     const auto resting = static_cast<std::uint32_t>(world_.spheres.resting().size());
-    if (wakesEverything(world_.scene))
+    if (world_.clock.finished)
     {
-        return world_.clock.finished ? resting : 0;
+        return resting;
     }
-    return resting - resting % step_;
+    const std::uint32_t before = resting - std::min(resting, 1U);
+    return wakesEverything(world_.scene) ? 0 : before - before % step_;
 }
 
 bool Discards::findOpenCubes()
@@ -180,11 +181,7 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
     const Cubes& cubes = open_->cubes;
     const double reach = world_.radii.largest() + kDiscardGap;
     const std::array<std::uint32_t, 1> alone = {polygon};
-    TriangleGroup group{alone, {}};
-    for (const Eigen::Vector3d& corner : world_.surface[polygon].corner)
-    {
-        group.box.extend(corner);
-    }
+    const TriangleGroup group = groupOf(world_.surface, alone);
     if (!cubes.mayHaveAny(open_->inside,
                           {group.box.min().array() - reach, group.box.max().array() + reach}))
     {

@@ -18,8 +18,9 @@ namespace frostfill
 /// somebody asks: for a picture, a table, a column, or at the end. See OpenCubes for the proof.
 ///
 /// The answer is a function of the spheres that were at rest at the newest mark: a multiple of a
-/// fiftieth of the run. It is therefore the same however often somebody asks, what is discarded
-/// stays so, and the end of a run changes nothing that its last picture shows. A sphere may yet
+/// fiftieth of the run, or its end. It is therefore the same however often somebody asks, and what
+/// is discarded stays so. The newest sphere waits: it is the last one if nothing follows, and then
+/// the end of the run, which takes no time, is a state of its own. A sphere may yet
 /// appear wherever one fits, in a hole of the pile as well as above it. Where the object moves or
 /// all settle together, everything may run again: nothing is discarded before that is over.
 class Discards

@@ -36,7 +36,6 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
     {
         snapshot.columns = carriedColumns();
     }
-    std::uint64_t revision = 0;
     const auto take = [&]
     {
         const std::size_t number = 2 * run.numbers.size();
@@ -47,7 +46,6 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
         writer.put(number, snapshot, exact);
         run.numbers.push_back(number);
         run.frames.push_back(snapshot);
-        revision = simulation.revision();
     };
     take();
     for (std::size_t step = 1; simulation.step(); ++step)
@@ -57,10 +55,7 @@ inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& fi
             take();
         }
     }
-    if (simulation.revision() != revision)
-    {
-        take();
-    }
+    take();
     for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
     {
         run.spheres.push_back(simulation.sphere(id));

@@ -247,6 +247,24 @@ TEST(Discards, AreNoneBeforeAMovementIsOver)
     EXPECT_GT(snapshot.discardedPolygons, 100U);
 }
 
+// A picture jumps in which the last sphere's rest decides about much of the object.
+TEST(Discards, LeavesFewPolygonsToTheEndOfARunUntilFull)
+{
+    Scene scene = sceneOf("human", Motion::fall, 300);
+    scene.spheres.untilFull = true;
+    const TriangleMesh mesh = builtInMesh("human");
+    Simulation simulation(scene, mesh);
+    Snapshot snapshot;
+    std::size_t before = 0;
+    while (simulation.step())
+    {
+        before = snapshot.discardedPolygons;
+        simulation.capture(snapshot);
+    }
+    simulation.capture(snapshot);
+    EXPECT_LT(snapshot.discardedPolygons - before, mesh.triangles.size() / 15);
+}
+
 /// A box full of a face-centred cubic packing that nothing more fits into, but for a hole where one
 /// sphere is missing.
 class FullBox : public ::testing::Test
@@ -277,8 +295,8 @@ protected:
 
 TEST_F(FullBox, OnlyTheNeighboursOfTheHoleAreKept)
 {
-    world_->targetCount = 50; // a mark for each sphere
     Discards discards(*world_);
+    world_->clock.finished = true;
     discards.update();
     EXPECT_EQ(world_->spheres.discardedCount(), ids_.size() - 12);
     EXPECT_EQ(world_->discardedPolygons, world_->polygons.size());
