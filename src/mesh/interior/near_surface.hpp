@@ -25,12 +25,8 @@ struct TriangleGroup
     Eigen::AlignedBox3d box; ///< around them
 };
 
-/// Calls visit(group) for some triangles of a surface, in their order. Those that are small ask
-/// together what they are near: a group is no longer than `longest`, unless it is one triangle.
-/// Larger: more of what is asked for a group has to be asked for each of its triangles.
-template <class Visit>
-void forEachGroup(const Surface& surface, std::span<const std::uint32_t> triangles, double longest,
-                  Visit&& visit)
+[[nodiscard]] inline TriangleGroup groupOf(const Surface& surface,
+                                           std::span<const std::uint32_t> triangles)
 {
     TriangleGroup group{triangles, {}};
     for (const std::uint32_t t : triangles)
@@ -38,6 +34,17 @@ void forEachGroup(const Surface& surface, std::span<const std::uint32_t> triangl
         const auto& [a, b, c] = surface[t].corner;
         group.box.extend(a).extend(b).extend(c);
     }
+    return group;
+}
+
+/// Calls visit(group) for some triangles of a surface, in their order. Those that are small ask
+/// together what they are near: a group is no longer than `longest`, unless it is one triangle.
+/// Larger: more of what is asked for a group has to be asked for each of its triangles.
+template <class Visit>
+void forEachGroup(const Surface& surface, std::span<const std::uint32_t> triangles, double longest,
+                  Visit&& visit)
+{
+    const TriangleGroup group = groupOf(surface, triangles);
     if (triangles.size() == 1 || group.box.sizes().maxCoeff() <= longest)
     {
         visit(group);

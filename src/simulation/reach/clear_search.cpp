@@ -11,6 +11,14 @@ namespace
 
 constexpr std::size_t kSide = ClearSearch::kSide;
 
+/// Square of the distance of a part's far side from a centre, along one axis. Both questions about
+/// parts use it, and the same sums: they have to agree to the last bit.
+double farSquare(double centre, double middle, double edge)
+{
+    const double apart = std::abs(centre - middle) + edge / 2;
+    return apart * apart;
+}
+
 /// The parts of a cube, a bit each with x fastest, by their middles along each axis.
 struct Parts
 {
@@ -34,7 +42,7 @@ struct Parts
         return {along[0][its % kSide], along[1][its / kSide % kSide],
                 along[2][its / kSide / kSide]};
     }
-    /// Those that lie in a ball as a whole: whose farthest corner does.
+    /// Returns the parts that lie in a ball as a whole: whose farthest corner does.
     [[nodiscard]] std::uint64_t inBall(const Eigen::Vector3d& centre, double radius) const
     {
         std::array<std::array<double, kSide>, 3> squares; // of the distances of far sides
@@ -42,8 +50,7 @@ struct Parts
         {
             for (std::size_t k = 0; k < kSide; ++k)
             {
-                const double apart = std::abs(centre[static_cast<int>(axis)] - along[axis][k]);
-                squares[axis][k] = (apart + edge / 2) * (apart + edge / 2);
+                squares[axis][k] = farSquare(centre[static_cast<int>(axis)], along[axis][k], edge);
             }
         }
         std::uint64_t inside = 0;
@@ -123,18 +130,20 @@ ClearSearch::find(const Eigen::Vector3d& middle, double edge, std::uint32_t rows
 
 bool ClearSearch::isStillClear(const Eigen::Vector3d& part, double edge, std::uint32_t rows) const
 {
-    const double reach = probe_ - OpenCubes::overlapOf(probe_);
-    const double half = edge / kSide / 2;
+    const double edgeOfPart = edge / kSide;
+    const double overlap = OpenCubes::overlapOf(probe_);
     bool isClear = true;
     resting_.forEachNear(part, 1 + probe_,
                          [&](std::uint32_t row)
                          {
                              const Ball& ball = resting_[row];
-                             const double radius = ball.radius + reach;
-                             const Eigen::Array3d farthest =
-                                 (ball.position() - part).array().abs() + half;
-                             isClear = isClear && (row >= rows || farthest.matrix().squaredNorm() >=
-                                                                      radius * radius);
+                             const Eigen::Vector3d centre = ball.position();
+                             const double radius = ball.radius + probe_ - overlap;
+                             const double left = radius * radius -
+                                                 farSquare(centre.y(), part.y(), edgeOfPart) -
+                                                 farSquare(centre.z(), part.z(), edgeOfPart);
+                             isClear = isClear && (row >= rows || farSquare(centre.x(), part.x(),
+                                                                            edgeOfPart) >= left);
                          });
     return isClear;
 }

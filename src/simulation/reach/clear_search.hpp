@@ -21,13 +21,13 @@ class ClearSearch
 public:
     static constexpr int kSide = 4; ///< parts of a cube side by side
 
-    /// The searches live as long as this. `probe`: radius of the smallest sphere [r].
+    /// The grids live as long as this object. `probe`: radius of the smallest sphere [r].
     ClearSearch(const SphereGrid& resting, const TriangleGrid& triangles, double probe)
         : resting_(resting), triangles_(triangles), probe_(probe)
     {
     }
 
-    /// What a cube may hold.
+    /// The places that a cube may hold.
     enum class Place
     {
         none,

@@ -89,7 +89,7 @@ public:
             visit(GridPlace{start[0] + std::countr_zero(bits), start[1], start[2]});
         }
     }
-    /// Those of a run that begins and ends in the same word.
+    /// The bits of a run that begins and ends in one word.
     [[nodiscard]] static std::uint64_t bitsOf(CellRun run)
     {
         return ~std::uint64_t{0} >> (63 - (run.last - run.first)) << (run.first % 64);

@@ -13,8 +13,8 @@ namespace frostfill
 namespace
 {
 
-// The smallest edge from `voxel` on with which a set of cubes fits into memory; nothing when that
-// is more than `largest`.
+// Takes the smallest edge from `voxel` on with which a set of cubes fits into memory. Returns
+// nothing when that edge is longer than `largest`.
 std::optional<Cubes> chooseCubes(const Surface& surface, const InsideTest& inside, double margin,
                                  double voxel, double largest, std::size_t bytes)
 {
@@ -186,7 +186,7 @@ EmptyObject openCubesOf(const Surface& surface, const InsideTest& inside, double
     {
         *unblocked = left;
     }
-    // Those at the border are outside, unless the surface has a hole.
+    // Cubes at the border are outside, unless the surface has a hole.
     CubeSet outer(all.words(), 0);
     for (std::size_t word = 0; word < left.size(); ++word)
     {
