@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a mesh file. The first byte chooses the name's ending. What is read is repaired and
 // measured as `frostfill mesh` does.
-#include "mesh/files/parse_mesh.hpp"
+#include "mesh/files/mesh_files.hpp"
 
 #include <frostfill/error.hpp>
 

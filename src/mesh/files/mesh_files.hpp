@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/mesh.hpp>
+
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace frostfill
@@ -11,5 +14,10 @@ namespace frostfill
 /// by name, or names with '+' between them. Any other name is that of a file, whether it is there
 /// or not. Throws Error inputMissing for a folder without a mesh, and if one of several is no file.
 [[nodiscard]] std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path& given);
+
+/// readMesh of bytes in memory. `file` gives the name's ending and is named in messages;
+/// only glTF is read from it. Throws Error badData.
+[[nodiscard]] TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
+                                     std::vector<std::string>* remarks = nullptr);
 
 } // namespace frostfill

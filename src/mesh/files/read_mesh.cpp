@@ -2,7 +2,6 @@
 #include "mesh/files/containers.hpp"
 #include "mesh/files/file_kind.hpp"
 #include "mesh/files/mesh_files.hpp"
-#include "mesh/files/parse_mesh.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
 #include "mesh/files/unpack.hpp"

@@ -24,8 +24,9 @@ struct VtkType
 
 inline constexpr std::uint64_t kAllNumbers = ~std::uint64_t{0};
 
-/// Numbers as they lie in memory, and numbers that are taken off the front of a text. All fit into
-/// a double: indices are below 2^32. Throw Unreadable for a word that is no number, and too few.
+/// Read numbers as they lie in memory, or take numbers off the front of a text. A double holds all
+/// of them: indices are below 2^32. Throw Unreadable for a word that is no number, or if numbers
+/// are missing.
 [[nodiscard]] std::vector<double> vtkNumbers(std::string_view bytes, const VtkType& type,
                                              bool bigEndian);
 [[nodiscard]] std::vector<double> vtkNumbers(std::string_view& text, std::uint64_t count);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/files/parse_mesh.hpp"
+#include "mesh/files/mesh_files.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <sstream>
