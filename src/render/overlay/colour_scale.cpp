@@ -134,6 +134,11 @@ bool isDark(const Colour& background)
     return background[0] + background[1] + background[2] < 3 * 96;
 }
 
+bool hasOneColour(const Palette& palette)
+{
+    return palette.running == palette.frozen && palette.frozen == palette.discarded;
+}
+
 double scaleStart(const Colour& background)
 {
     return isDark(background) ? 0.25 : 0;
@@ -212,9 +217,7 @@ Colour SphereColours::ofState(SphereState state) const
 
 SphereState SphereColours::marked(SphereState state) const
 {
-    const bool isOne =
-        !hasScale() && palette_.running == palette_.frozen && palette_.frozen == palette_.discarded;
-    return isOne ? SphereState::frozen : state;
+    return !hasScale() && hasOneColour(palette_) ? SphereState::frozen : state;
 }
 
 Colour SphereColours::of(const Snapshot& snapshot, std::size_t sphere) const

@@ -17,6 +17,9 @@ namespace frostfill
 
 [[nodiscard]] bool isDark(const Colour& background);
 
+/// Whether spheres of all states have one colour.
+[[nodiscard]] bool hasOneColour(const Palette& palette);
+
 /// Where scales begin on a background: the darkest colours cannot be seen on a dark one.
 [[nodiscard]] double scaleStart(const Colour& background);
 

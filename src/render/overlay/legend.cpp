@@ -116,7 +116,7 @@ void Legend::layOut()
 {
     const double size = font_->size();
     height_ = kLegendMargin * size + (title_.empty() ? 0 : (kTitleSize * kLine + kGap) * size);
-    if (palette_.running == palette_.frozen && palette_.frozen == palette_.discarded)
+    if (hasOneColour(palette_))
     {
         addRow("spheres", kTotalRow);
         addRow("polygons", kTotalRow + 1);
