@@ -169,7 +169,7 @@ void addSpheres(Class& type)
         "q6", [order](const A& a) -> auto& { return order(a).q6; }, "float64 [n]");
 }
 
-/// What of each sphere is there.
+/// The table of the spheres: of each, the columns that were analysed.
 py::array spheresTable(const py::object& self)
 {
     const auto& a = *self.cast<Owner>();

@@ -57,7 +57,7 @@ struct GivenMesh
                   : GivenMesh{meshNameOf(mesh)};
 }
 
-/// What a packing is in: a mesh, or a box.
+/// The container of a packing: a mesh, or a box.
 class GivenContainer
 {
 public:

@@ -154,7 +154,7 @@ FillRequest readFillRequest(const py::object& mesh, const py::object& vertices,
     return request;
 }
 
-/// What share of its work a run has done: spheres appear and come to rest, and then are drawn.
+/// The share of its work that a run has done: spheres appear, come to rest, and are drawn.
 double shareOf(const FillProgress& now)
 {
     const auto [done, all] = now.pictures > 0

@@ -63,8 +63,8 @@ public:
                            });
     }
 
-    /// Marks the cubes that come near a triangle: all that it meets, and some beside. False when
-    /// that would take too long.
+    /// Marks all cubes that a triangle meets, and some beside. Returns false when that would take
+    /// too long.
     [[nodiscard]] bool block(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                              const Eigen::Vector3d& c)
     {

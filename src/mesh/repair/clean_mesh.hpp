@@ -24,9 +24,8 @@ std::size_t dropDuplicateTriangles(TriangleMesh& mesh);
 
 std::size_t dropUnusedVertices(TriangleMesh& mesh);
 
-/// What makes it no mesh at all, in words: a vertex that is not finite or too far
-/// away to compute with, or a triangle of a vertex
-/// that there is not. Numbers in the words count from 1.
+/// Returns a sentence about data that are no mesh: a vertex that is not finite or too far away to
+/// compute with, or a triangle that names a missing vertex. Its numbers count from 1.
 [[nodiscard]] std::optional<std::string> findInvalidData(const TriangleMesh& mesh);
 
 } // namespace frostfill
