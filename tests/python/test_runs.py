@@ -179,7 +179,7 @@ class Runs(FolderCase):
     def test_keep_the_options_that_were_given(self):
         options = self.run_.options
         self.assertEqual((options["mesh"], options["count"], options["seed"]), ("torus", 60, 7))
-        self.assertEqual((options["frames_fps"], options["duration"]), (10.0, 2.0))
+        self.assertEqual((options["frames_fps"], options["duration"]), (10.0, 2.05))
         self.assertIsNone(options["radius"])
 
     def test_take_options_in_the_forms_that_python_has(self):

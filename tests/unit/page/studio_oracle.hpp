@@ -67,7 +67,7 @@ inline nlohmann::json contactOracle(const std::filesystem::path& folder)
     const glm::dvec3& eye = view.framing.eye;
     nlohmann::json oracle = {{"eye", {eye.x, eye.y, eye.z}}};
     const std::size_t last = reader.frames().size() - 1;
-    for (const std::size_t frame : {last / 2, last})
+    for (const std::size_t frame : {2 * last / 3, last})
     {
         const Snapshot& state = reader.seek(frame);
         std::vector<SphereInstance> resting;
