@@ -59,8 +59,7 @@ Json lookJson(const char* name, const Palette& palette, const PageView& view,
             {"scale_start", scaleStart(palette.background)},
             {"haze", uniformsOf(view.framing, settings).haze},
             {"outlines", variant.outlines},
-            {"fading_lines", variant.fadingLines},
-            {"studio", variant.studio}};
+            {"fading_lines", variant.fadingLines}};
 }
 
 /// All looks, and one with the run's own colours if it has such; `look` is the index of the run's.

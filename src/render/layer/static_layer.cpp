@@ -81,7 +81,7 @@ void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projecto
     }
     framebuffer_.bind();
     painter.clear();
-    painter.paintGround(framebuffer_.whole());
+    painter.paintGround();
     std::size_t batch = std::max(kFirstBatch, resting.size() / kBatchShare);
     for (std::size_t first = 0; first < resting.size();)
     {
@@ -150,7 +150,7 @@ void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance>
         scratch.bind();
         painter.confine(part);
         painter.clear();
-        painter.paintGround(part);
+        painter.paintGround();
         painter.paintSpheres(spheres_);
         const TriangleTiles::Part all{part};
         painter.paintShell({&all, 1});
