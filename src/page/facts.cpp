@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/facts.hpp"
 
-#include "render/framing/cutaway_planes.hpp"
+#include "render/framing/framing.hpp"
 #include "render/framing/front.hpp"
-#include "render/framing/pose_framing.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/picture/mesh_shading.hpp"
 #include "render/picture/painter_settings.hpp"

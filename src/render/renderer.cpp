@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/annotated_picture.hpp"
-#include "render/picture/pass_pictures.hpp"
 #include "render/picture/shrink.hpp"
+#include "render/picture/surfaces.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/tile_pipeline.hpp"
 

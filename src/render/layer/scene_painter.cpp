@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/scene_painter.hpp"
 
-#include "render/picture/cut_share.hpp"
 #include "render/picture/painter_settings.hpp"
+#include "render/picture/projected_sphere.hpp"
 #include "render/picture/swatch_mesh.hpp"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/framing/cutaway_planes.hpp"
+#include "render/framing/framing.hpp"
 #include "render/picture/occluder_grid.hpp"
 #include "render/picture/sphere_instance.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/picture/sphere_cells.hpp"
+#include "render/picture/sphere_draw_list.hpp"
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/spheres/ground_raster.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/framing/numbers.hpp"
-#include "render/picture/cut_share.hpp"
+#include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_instance.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Depth, normals, identities, and what of light neighbours keep off by them, as OpenGL and as tiles
 // draw them, against a ray caster.
+#include "render/picture/surfaces.hpp"
+
 #include "render/picture/painter_settings.hpp"
-#include "render/picture/pass_pictures.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/lanes/has_avx2.hpp"
 #include "render/raster/tile_pipeline.hpp"
