@@ -208,17 +208,3 @@ function movedPlane(view, plane) {
   const normal = turned(view, plane);
   return [...normal, plane[3] - dot(normal, view.slice(12, 15))];
 }
-
-/** How deep a point of unit space lies in what is taken away. */
-function depthInCut(view, planes, point) {
-  const seen = sum(turned(view, point), view.slice(12, 15));
-  return Math.min(...[0, 4].map((k) => dot(planes.slice(k, k + 3), seen) + planes[k + 3]));
-}
-
-/** Of which spheres a cut takes the centre away. */
-const isTaken = (spheres, view, planes) => (at) =>
-  planes !== null && depthInCut(view, planes, spheres.subarray(4 * at, 4 * at + 3)) > 0;
-
-/** Of which spheres a cut leaves all. */
-const isKept = (view, planes) => (centre, radius) =>
-  planes === null || depthInCut(view, planes, centre) < -radius;

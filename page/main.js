@@ -185,7 +185,6 @@ class Page {
     this.camera.resize(width / height);
     this.picture.draw(this.camera);
     showCounts(this.film);
-    showLeftOut(this.picture);
     const { azimuth, elevation, distance } = this.camera;
     Object.assign(part("picture").dataset,
       { azimuth, elevation, distance, frame: this.film.numbers[this.film.at] });

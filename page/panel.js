@@ -109,13 +109,6 @@ function showCounts(film) {
   });
 }
 
-/** What a picture of very many spheres does without. */
-function showLeftOut({ leftOut, drawn }) {
-  part("left-out").hidden = leftOut === 0;
-  part("left-out").textContent = `This picture draws ${readable(drawn)} spheres: the other ` +
-    `${readable(leftOut)} are hidden, cut away or outside of it.`;
-}
-
 /** The scale of colours that are not those of states. */
 function showScale(by, look) {
   const meaning = facts.colours.find((each) => each.by === by);

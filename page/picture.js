@@ -16,10 +16,6 @@ class Picture {
     this.gl = gl;
     this.programs = new Programs(gl);
     this.shell = new Shell(gl, sections);
-    this.shadows = new StudioShadows(gl, sections);
-    this.lights = new LightTexture(gl);
-    // Twelve neighbours and all else that sphere.vert tells; drivers need not have room for so much.
-    this.canLight = gl.getParameter(gl.MAX_VARYING_VECTORS) >= 21;
     this.makeSpheres();
     this.drawnSize = [0, 0];
     this.shown = {}; // of which frame, colours and eye the buffers are
@@ -39,33 +35,24 @@ class Picture {
       gl.enableVertexAttribArray(attribute);
     });
     this.instances = new Float32Array(0);
-    this.states = new Uint8Array(0);
     this.words = new Uint32Array(0); // the states, and how the spheres have turned
     this.colours = new Uint32Array(0);
-    this.ids = new Uint32Array(0); // ascending
-    this.hidden = new Hidden();
-    this.occlusion = new SphereOcclusion();
     // A corner for each vertex: a software renderer takes 30 us for each instance of four vertices.
     this.corners = { places: new Float32Array(0), words: new Uint32Array(0), colours: new Uint32Array(0) };
     this.indices = gl.createBuffer();
     this.squares = new Uint32Array(0);
-    this.leftOut = 0; // spheres of this frame that are not drawn
   }
 
-  /** Places and states of the frame, in unit space; spheres that are not seen are left out. */
+  /** Places and states of the frame, in unit space, without the spheres that wait. */
   takeFrame() {
     const { film, gl } = this;
     this.instances = grown(this.instances, 4 * film.spheres);
-    this.states = grown(this.states, film.spheres);
     this.words = grown(this.words, film.spheres);
-    this.ids = grown(this.ids, film.spheres);
     let at = 0;
     for (let id = 0; id < film.spheres; ++id) {
       if (film.states[id] !== kWaits) {
         putInUnitSpace(film, id, this.instances, 4 * at);
-        this.ids[at] = id;
-        this.words[at] = stateWord(film, id);
-        this.states[at++] = film.states[id];
+        this.words[at++] = stateWord(film, id);
       }
     }
     this.count = at;
@@ -84,26 +71,14 @@ class Picture {
     }
   }
 
-  /** Gives the driver the corners of what is drawn: of all, or of very many those that may be seen. */
-  takeSeen(looked, planes) {
-    const { corners, instances, states, words, colours, count } = this;
-    const seen = count <= kManySpheres ? null
-      : this.hidden.seenOf(instances, count, looked, this.drawnSize, planes);
-    this.drawn = seen?.length ?? count;
-    this.leftOut = count - this.drawn;
-    if (this.isStudio) {
-      this.occlusion.follow(this.ids, instances, states, count, isTaken(instances, looked.view, planes));
-      this.lights.fill(this.drawn, (k) => {
-        const i = seen ? seen[k] : k;
-        return this.occlusion.lightOf(this.ids[i], instances.subarray(4 * i, 4 * i + 4));
-      });
-    }
-    corners.places = grown(corners.places, 16 * this.drawn);
-    corners.words = grown(corners.words, 4 * this.drawn);
-    corners.colours = grown(corners.colours, 4 * this.drawn);
-    for (let k = 0; k < this.drawn; ++k) {
-      const i = seen ? seen[k] : k;
-      for (let at = 4 * k; at < 4 * k + 4; ++at) {
+  /** Gives the driver the corners of all spheres. */
+  putCorners() {
+    const { corners, instances, words, colours, count } = this;
+    corners.places = grown(corners.places, 16 * count);
+    corners.words = grown(corners.words, 4 * count);
+    corners.colours = grown(corners.colours, 4 * count);
+    for (let i = 0; i < count; ++i) {
+      for (let at = 4 * i; at < 4 * i + 4; ++at) {
         corners.places[4 * at] = instances[4 * i];
         corners.places[4 * at + 1] = instances[4 * i + 1];
         corners.places[4 * at + 2] = instances[4 * i + 2];
@@ -112,30 +87,26 @@ class Picture {
         corners.colours[at] = colours[i];
       }
     }
-    this.fill(0, corners.places.subarray(0, 16 * this.drawn));
-    this.fill(1, corners.words.subarray(0, 4 * this.drawn));
-    this.fill(2, corners.colours.subarray(0, 4 * this.drawn));
+    this.fill(0, corners.places.subarray(0, 16 * count));
+    this.fill(1, corners.words.subarray(0, 4 * count));
+    this.fill(2, corners.colours.subarray(0, 4 * count));
     this.makeSquares();
   }
 
   /** Of each square two triangles. */
   makeSquares() {
     const { gl } = this;
-    if (6 * this.drawn <= this.squares.length) {
+    if (6 * this.count <= this.squares.length) {
       return;
     }
     const before = this.squares.length / 6;
-    this.squares = grown(this.squares, 6 * this.drawn);
+    this.squares = grown(this.squares, 6 * this.count);
     for (let k = before; 6 * k + 5 < this.squares.length; ++k) {
       this.squares.set([4 * k, 4 * k + 1, 4 * k + 2, 4 * k + 2, 4 * k + 1, 4 * k + 3], 6 * k);
     }
     gl.bindVertexArray(this.array);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
     gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, this.squares, gl.STATIC_DRAW);
-  }
-
-  get isStudio() {
-    return this.canLight && this.view.look.studio;
   }
 
   fill(buffer, numbers) {
@@ -180,21 +151,14 @@ class Picture {
     Object.assign(shown, { frame: film.at, colourBy: view.colourBy, look: view.look });
     const looked = camera.look(film.pose());
     const planes = cutPlanes(view.cut, looked.view);
-    const from = this.count > kManySpheres
-      ? [looked.view, looked.projection, this.drawnSize, planes].join()
-      : this.isStudio && planes ? [JSON.stringify(view.cut), film.pose()].join() : "anywhere";
-    if (isColoured || shown.from !== from) {
-      this.takeSeen(looked, planes);
-      shown.from = from;
+    if (isColoured) {
+      this.putCorners();
     }
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
     gl.viewport(0, 0, ...this.drawnSize);
     const ground = bytesToUnit(opaque(view.look.background));
     gl.clearColor(...ground);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    if (this.isStudio) {
-      this.shadows.draw(this.programs, looked, film, isKept(looked.view, planes), view.shell > 0);
-    }
     this.drawSpheres(looked, ground, planes);
     if (view.shell > 0) {
       this.drawShell(looked, planes);
@@ -205,11 +169,7 @@ class Picture {
   drawSpheres(looked, ground, planes) {
     const { gl, view: { look } } = this;
     const strokes = this.strokes();
-    const { lamp, up } = facts.studio;
-    this.lights.bind();
-    this.programs.get("sphere", { ...look, fading_lines: false, studio: this.isStudio }, planes !== null).use({
-      lamp: turned(looked.view, lamp),
-      above: turned(looked.view, up),
+    this.programs.get("sphere", { ...look, fading_lines: false }, planes !== null).use({
       view: looked.view,
       projection: looked.projection,
       depthAtInfinity: looked.depthAtInfinity,
@@ -224,7 +184,7 @@ class Picture {
     });
     gl.enable(gl.DEPTH_TEST);
     gl.bindVertexArray(this.array);
-    gl.drawElements(gl.TRIANGLES, 6 * this.drawn, gl.UNSIGNED_INT, 0);
+    gl.drawElements(gl.TRIANGLES, 6 * this.count, gl.UNSIGNED_INT, 0);
   }
 
   drawShell(looked, planes) {
@@ -239,7 +199,7 @@ class Picture {
     const discarded = bytesToUnit(look.discarded_polygon);
     discarded[3] = Math.min(1, discarded[3] * shell / Math.max(active[3], 1 / 255));
     active[3] = shell;
-    this.programs.get("mesh", { ...look, studio: false }, planes !== null).use({
+    this.programs.get("mesh", look, planes !== null).use({
       view: looked.view,
       projection: looked.projection,
       activeColour: active,

@@ -61,7 +61,6 @@ class Programs {
     if (isCut) defined.push("CUTAWAY");
     if (look.outlines) defined.push("OUTLINES");
     if (look.fading_lines) defined.push("FADING_LINES");
-    if (look.studio) defined.push("STUDIO", "LIGHTS_IN_TEXTURE");
     const key = [name, ...defined].join();
     if (!this.known.has(key)) {
       this.known.set(key,

@@ -31,9 +31,6 @@ const float kOccluderRange = 7.0F;
 // Shadow on the ground, which has the colour of the background.
 const vec3 kShadow = vec3(0.07F, 0.08F, 0.11F);
 
-// How dark the shell is where spheres touch it, of what an opaque wall would be.
-const float kContact = 0.7F;
-
 // Slope of the distance from a cut that is drawn smoothly. Triangles that are seen edge-on end
 // sharply at the cut: they would leave specks beyond it. [1 / pixel]
 const float kSteepest = 4.0F;

@@ -53,15 +53,15 @@ int samplesInside()
 uniform float outlineWidth; // [pixel]
 #endif
 
-#ifdef STUDIO
+#ifdef OCCLUSION
 flat in vec4 occluder[12];
 flat in vec2 openTo;
 
 uniform vec3 lamp; // towards it
 uniform vec3 above; // away from the ground
 
-// What is not there has no radius, and hides nothing.
-vec3 litInStudio(vec3 tint, vec3 normal)
+// What neighbours leave of the sky and of the lamp. What is not there has no radius, and hides nothing.
+vec2 lightPastNeighbours(vec3 normal)
 {
     vec2 left = openTo;
     for (int i = 0; i < 12; ++i)
@@ -71,10 +71,11 @@ vec3 litInStudio(vec3 tint, vec3 normal)
         float along = dot(normal, way);
         float squared = dot(way, way) + 1.0 - 2.0 * along;
         left.x *= skyPast(along, radius, squared);
+#ifdef STUDIO
         left.y *= lampPast(dot(way - normal, lamp), radius, squared);
+#endif
     }
-    return inStudio(tint, dot(normal, above), dot(normal, lamp),
-                    dot(normal, normalize(lamp + vec3(0.0, 0.0, 1.0))), left.x, left.y);
+    return left;
 }
 #endif
 
@@ -97,15 +98,21 @@ vec3 shaded(vec3 normal, vec2 at, float rhoSquared, float w)
 {
     SphereLook own = look();
 #ifdef STUDIO
-    vec3 lit = litInStudio(own.tint, normal);
+    vec2 left = lightPastNeighbours(normal);
+    vec3 lit = inStudio(own.tint, dot(normal, above), dot(normal, lamp),
+                        dot(normal, normalize(lamp + vec3(0.0, 0.0, 1.0))), left.x, left.y);
 #else
     vec3 lit = own.tint * (lightOn(normal) * lightNearRim(w));
+#ifdef OCCLUSION
+    lit *= lightPastNeighbours(normal).x;
 #endif
-    float left = unmarked(own, rhoSquared, at.x + at.y) * unstriped(own, dot(normal, stripeAxis));
+#endif
+    float unhidden =
+        unmarked(own, rhoSquared, at.x + at.y) * unstriped(own, dot(normal, stripeAxis));
 #ifdef OUTLINES
-    left *= unlined(own, rhoSquared, outlineWidth);
+    unhidden *= unlined(own, rhoSquared, outlineWidth);
 #endif
-    return lit * left + own.haze + glossOf(own, dot(normal, kHighlight));
+    return lit * unhidden + own.haze + glossOf(own, dot(normal, kHighlight));
 }
 
 #ifdef CUTAWAY

@@ -14,21 +14,9 @@ layout(location = 0) in vec4 sphere; // centre and radius
 layout(location = 1) in uint sphereState;
 layout(location = 2) in vec4 sphereColour;
 
-#ifdef STUDIO
-// SphereLight, in unit space. GLSL ES has no arrays of attributes: the page has a texture.
-#ifdef LIGHTS_IN_TEXTURE
-uniform highp isampler2D lights;
-
-ivec4 lightTexel(int i)
-{
-    int square = gl_VertexID / 4;
-    int row = textureSize(lights, 0).x / 13;
-    return texelFetch(lights, ivec2(square % row * 13 + i, square / row), 0);
-}
-#else
-layout(location = 3) in vec4 occluders[12];
+#ifdef OCCLUSION
+layout(location = 3) in vec4 occluders[12]; // SphereLight, in unit space
 layout(location = 15) in vec4 open;
-#endif
 
 flat out vec4 occluder[12]; // way to the centre and radius, in the sphere's radius [eye space]
 flat out vec2 openTo; // what all others let through of the sky, of the lamp
@@ -81,21 +69,12 @@ void main()
     vec3 centre = (view * vec4(sphere.xyz, 1.0)).xyz;
     float radius = sphere.w;
     centreAndCurvature = vec4(centre, 1.0 / radius);
-#ifdef STUDIO
+#ifdef OCCLUSION
     for (int i = 0; i < 12; ++i)
     {
-#ifdef LIGHTS_IN_TEXTURE
-        vec4 told = vec4(lightTexel(i)) / 127.0;
-#else
-        vec4 told = occluders[i];
-#endif
-        occluder[i] = kOccluderRange * vec4(mat3(view) * told.xyz, told.w);
+        occluder[i] = kOccluderRange * vec4(mat3(view) * occluders[i].xyz, occluders[i].w);
     }
-#ifdef LIGHTS_IN_TEXTURE
-    openTo = vec2(lightTexel(12).xy & 255) / 255.0;
-#else
     openTo = open.xy;
-#endif
 #endif
 #ifdef ORTHOGRAPHIC
     setColours(centre, 1.0 / (pixelScale * radius));

@@ -36,20 +36,3 @@ INLINE real3 inStudio(vec3 tint, real up, real facing, real shiny, real sky, rea
     real3 ambient = fromSky * mix(tint, vec3(kWhite), 0.04F) * (1.0F + returned * tint);
     return ambient + tint * key + shine;
 }
-
-// How dark a sphere makes the wall that it touches: its height above it, and the lamp's two parts along
-// and away from the wall, are those of ContactShadow. `across` and `along` are the way from where it
-// touches.
-INLINE real contactShadow(real across, real along, float height, float lampAlong, float lampUp,
-                          float strength)
-{
-    real beside = across * across + along * along;
-    real squared = beside + height * height;
-    float key = kLampLight * max(lampUp, 0.0F);
-    // Exact for what lies above the horizon as a whole, as it does [Quilez 2014].
-    real hidden = min(height * (1.0F / (squared * sqrt(squared))), 1.0F);
-    real lamp = lampPast(across * lampAlong + height * lampUp, 1.0F, squared);
-    real lost = (kSkyLight * hidden + key * (1.0F - lamp)) * (1.0F / (kSkyLight + key));
-    // The wall is thin, and bends away where it is round: nothing is dark at the rim.
-    return (kContact * strength) * lost * (1.0F - smoothstep(0.4F, 1.0F, beside));
-}

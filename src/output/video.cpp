@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/video.hpp"
 
+#include "base/posix_file.hpp"
 #include "base/run_program.hpp"
 
 #include <frostfill/error.hpp>
@@ -8,6 +9,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,8 +20,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <optional>
 #include <sstream>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -50,30 +52,12 @@ std::vector<std::string> encoderArguments(const std::string& ending, bool withAl
                 "-cpu-used", "4",
                 "-pix_fmt",  withAlpha ? "yuva420p" : "yuv420p"};
     }
-    return {"-c:v", "ffv1", "-level", "3"}; // of the frames of which a GIF is made; see makeGif
+    return {"-c:v", "ffv1", "-level", "3"}; // the frames of which a GIF is made
 }
 
 /// GIF: one palette for the whole video, which has to be known first, so that only what changes
 /// is stored. Fifteen frames a second are smooth enough, and half the size.
 constexpr double kMaxGifFrames = 15;
-
-/// Makes a GIF from all frames. Returns what ffmpeg says when it fails.
-std::optional<std::string> makeGif(const VideoLog& log, double framesPerSecond)
-{
-    const std::string raw = "file:" + std::filesystem::absolute(log.raw()).string();
-    const std::string part = "file:" + std::filesystem::absolute(log.part()).string();
-    const std::string filter =
-        fmt::format("[0:v]fps={0},palettegen=stats_mode=full[p];[1:v]fps={0}[v];"
-                    "[v][p]paletteuse=dither=none:diff_mode=rectangle",
-                    std::min(framesPerSecond, kMaxGifFrames));
-    const ProgramRun run = runProgram(".", {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
-                                            "-i", raw, "-i", raw, "-filter_complex", filter, part});
-    if (run.error == 0 && run.code == 0)
-    {
-        return std::nullopt;
-    }
-    return run.said.empty() ? "ffmpeg ended early" : "ffmpeg says: " + run.said;
-}
 
 bool isGif(const std::filesystem::path& file)
 {
@@ -103,7 +87,7 @@ bool hasProgram(const std::string& name)
 } // namespace
 
 Video::Video(std::filesystem::path file, double framesPerSecond)
-    : file_(std::move(file)), framesPerSecond_(framesPerSecond)
+    : file_(std::move(file)), part_(file_), raw_(file_), framesPerSecond_(framesPerSecond)
 {
     const std::string ending = file_.extension().string();
     if (!isKnown(ending))
@@ -119,7 +103,18 @@ Video::Video(std::filesystem::path file, double framesPerSecond)
                         "or omit --video",
                         file_.string()));
     }
-    log_ = std::make_unique<VideoLog>(file_);
+    part_.replace_extension(".part" + ending); // whose own ending tells ffmpeg the format
+    raw_.replace_extension(".part.mkv");
+    ::unlink(part_.c_str());
+    const int created = createNewFile(part_);
+    said_ = ::memfd_create("ffmpeg", MFD_CLOEXEC);
+    if (created < 0 || said_ < 0)
+    {
+        ::close(said_);
+        throw Error(ErrorCode::cannotCreate,
+                    fmt::format("cannot create {}: {}", file_.string(), std::strerror(errno)));
+    }
+    std::ignore = closeFile(created);
 }
 
 Video::~Video()
@@ -129,6 +124,9 @@ Video::~Video()
         ::kill(process_, SIGKILL);
         close();
     }
+    ::close(said_);
+    ::unlink(part_.c_str());
+    ::unlink(raw_.c_str());
 }
 
 void Video::start(const Image& image)
@@ -161,7 +159,7 @@ void Video::start(const Image& image)
         words.push_back(std::move(word));
     }
     // A name that starts with a dash or contains a colon is still a file name.
-    words.push_back("file:" + (isGif(file_) ? log_->raw() : log_->part()).string());
+    words.push_back("file:" + (isGif(file_) ? raw_ : part_).string());
     std::vector<char*> arguments;
     for (std::string& word : words)
     {
@@ -173,8 +171,7 @@ void Video::start(const Image& image)
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
     ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, log_->path().c_str(),
-                                       O_WRONLY | O_APPEND, 0);
+    ::posix_spawn_file_actions_adddup2(&actions, said_, STDERR_FILENO);
     const int problem =
         ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
     ::posix_spawn_file_actions_destroy(&actions);
@@ -236,8 +233,28 @@ int Video::close()
 
 std::string Video::complaint() const
 {
-    const std::string last = log_->lastLine();
+    std::string all(static_cast<std::size_t>(std::max<off_t>(::lseek(said_, 0, SEEK_END), 0)), 0);
+    std::ignore = ::pread(said_, all.data(), all.size(), 0);
+    all.erase(all.find_last_not_of("\n") + 1);
+    const std::string last = all.substr(all.rfind('\n') + 1);
     return last.empty() ? "ffmpeg ended early" : "ffmpeg says: " + last;
+}
+
+std::optional<std::string> Video::makeGif() const
+{
+    const std::string raw = "file:" + std::filesystem::absolute(raw_).string();
+    const std::string part = "file:" + std::filesystem::absolute(part_).string();
+    const std::string filter =
+        fmt::format("[0:v]fps={0},palettegen=stats_mode=full[p];[1:v]fps={0}[v];"
+                    "[v][p]paletteuse=dither=none:diff_mode=rectangle",
+                    std::min(framesPerSecond_, kMaxGifFrames));
+    const ProgramRun run = runProgram(".", {"ffmpeg", "-hide_banner", "-loglevel", "error", "-y",
+                                            "-i", raw, "-i", raw, "-filter_complex", filter, part});
+    if (run.error == 0 && run.code == 0)
+    {
+        return std::nullopt;
+    }
+    return run.said.empty() ? "ffmpeg ended early" : "ffmpeg says: " + run.said;
 }
 
 void Video::finish()
@@ -252,12 +269,12 @@ void Video::finish()
     std::optional<std::string> failure = encoded ? std::nullopt : std::optional(complaint());
     if (encoded && isGif(file_))
     {
-        failure = makeGif(*log_, framesPerSecond_);
+        failure = makeGif();
     }
     const bool worked = !failure;
     if (worked)
     {
-        std::filesystem::rename(log_->part(), file_, problem);
+        std::filesystem::rename(part_, file_, problem);
     }
     if (!worked || problem)
     {

@@ -2,14 +2,12 @@
 // Room: files that a run writes: frames, video, CSV, JSON.
 #pragma once
 
-#include "output/video_log.hpp"
-
 #include <frostfill/image.hpp>
 
 #include <sys/types.h>
 
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 
 namespace frostfill
@@ -20,9 +18,10 @@ namespace frostfill
 class Video : public ImageSink
 {
 public:
-    /// Starts ffmpeg. The extension selects the format: mp4 (H.264), webm (VP9, with alpha) or gif
-    /// (up to 15 frames a second, at the same speed).
-    /// Throws Error usage for another extension and cannotCreate if ffmpeg is missing.
+    /// The extension selects the format: mp4 (H.264), webm (VP9, with alpha) or gif (up to 15
+    /// frames a second, at the same speed). Until it is complete, "film.mp4" is "film.part.mp4"; a
+    /// run that is killed leaves that to the next one of the same name. Throws Error usage for
+    /// another extension, and cannotCreate if ffmpeg or the folder is missing.
     Video(std::filesystem::path file, double framesPerSecond);
     /// Abandons an unfinished video.
     ~Video() override;
@@ -41,11 +40,15 @@ private:
     void send(const Image& image);
     /// Ends the connection and returns ffmpeg's exit status.
     int close();
+    /// What ffmpeg has said last.
     [[nodiscard]] std::string complaint() const;
+    [[nodiscard]] std::optional<std::string> makeGif() const;
 
     std::filesystem::path file_;
-    std::unique_ptr<VideoLog> log_;
+    std::filesystem::path part_; ///< the unfinished video
+    std::filesystem::path raw_;  ///< all frames without loss, of which a GIF is made
     double framesPerSecond_;
+    int said_ = -1; ///< a file in memory that ffmpeg writes its messages to
     pid_t process_ = -1;
     int socket_ = -1;
     bool failed_ = false;

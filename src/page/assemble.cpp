@@ -46,8 +46,7 @@ std::string scripts()
     std::string all;
     for (const std::string_view file :
          {embedded::page_data_js(), embedded::page_film_js(), embedded::page_camera_js(),
-          embedded::page_colours_js(), embedded::page_hidden_js(), embedded::page_occlusion_js(),
-          embedded::page_shadows_js(), embedded::page_programs_js(), embedded::page_shell_js(),
+          embedded::page_colours_js(), embedded::page_programs_js(), embedded::page_shell_js(),
           embedded::page_picture_js(), embedded::page_timeline_js(), embedded::page_gestures_js(),
           embedded::page_charts_js(), embedded::page_sizes_js(), embedded::page_panel_js(),
           embedded::page_main_js()})
@@ -63,11 +62,7 @@ Json shaders()
             {"sphere_vert", embedded::shader_sphere_vert()},
             {"sphere_frag", embedded::shader_sphere_frag()},
             {"mesh_vert", embedded::shader_mesh_vert()},
-            {"mesh_frag", embedded::shader_mesh_frag()},
-            {"ground_vert", embedded::shader_ground_vert()},
-            {"ground_frag", embedded::shader_ground_frag()},
-            {"contact_vert", embedded::shader_contact_vert()},
-            {"contact_frag", embedded::shader_contact_frag()}};
+            {"mesh_frag", embedded::shader_mesh_frag()}};
 }
 
 } // namespace

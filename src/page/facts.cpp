@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page/facts.hpp"
 
-#include "render/framing/cutaway_planes.hpp"
+#include "render/framing/framing.hpp"
 #include "render/framing/front.hpp"
-#include "render/framing/pose_framing.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/picture/mesh_shading.hpp"
 #include "render/picture/painter_settings.hpp"
@@ -59,8 +58,7 @@ Json lookJson(const char* name, const Palette& palette, const PageView& view,
             {"scale_start", scaleStart(palette.background)},
             {"haze", uniformsOf(view.framing, settings).haze},
             {"outlines", variant.outlines},
-            {"fading_lines", variant.fadingLines},
-            {"studio", variant.studio}};
+            {"fading_lines", variant.fadingLines}};
 }
 
 /// All looks, and one with the run's own colours if it has such; `look` is the index of the run's.

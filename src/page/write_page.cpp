@@ -3,7 +3,6 @@
 #include "page/assemble.hpp"
 #include "page/facts.hpp"
 #include "page/shape_sections.hpp"
-#include "page/studio_sections.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
 #include "run_file/kept_frames.hpp"
@@ -170,10 +169,6 @@ private:
                                                      {"whole", column.isWhole()}};
         }
         Sections sections = shape_;
-        facts["studio"] = addStudio(reader_.mesh(), shell_.mesh, view_,
-                                    {film.snapshot(), film.centres(), film.radii(),
-                                     boundingBox(reader_.mesh()).center(), rounding_.grid},
-                                    sections);
         for (const auto& [name, stream] : film.take())
         {
             sections.emplace_back(name, stream.bytes());

@@ -112,17 +112,13 @@ void Pipeline::updateSphereOcclusion(const SphereDrawList::Changes& changes, boo
     {
         sphereOcclusion->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
     }
-    if (ContactShadows* contacts = painter_.contactShadows())
-    {
-        contacts->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
-    }
 }
 
 void Pipeline::drawEverything()
 {
     framebuffer_.bind();
     painter_.clear();
-    painter_.paintGround(framebuffer_.whole());
+    painter_.paintGround();
     painter_.paintSpheres(drawList_.resting());
     painter_.paintSpheres(drawList_.running());
     painter_.paintShell();
@@ -141,10 +137,6 @@ void Pipeline::updateLayer(const SphereDrawList::Changes& changes,
     }
     covered_.clear();
     covered_.add(polygonParts);
-    if (ContactShadows* contacts = painter_.contactShadows())
-    {
-        covered_.add(contacts->arrived());
-    }
     for (const std::size_t index : changes.recoloured)
     {
         covered_.add(layer_->visiblePart(index));

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/annotated_picture.hpp"
-#include "render/picture/pass_pictures.hpp"
 #include "render/picture/shrink.hpp"
+#include "render/picture/surfaces.hpp"
 #include "render/pipeline.hpp"
-#include "render/raster/lanes/has_avx2.hpp"
-#include "render/raster/spheres/ambient_occlusion.hpp"
 #include "render/raster/tile_pipeline.hpp"
 
 #include <frostfill/error.hpp>
@@ -27,19 +25,6 @@ using Clock = std::chrono::steady_clock;
 double secondsSince(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// How far a sphere's shade reaches, in mean radii.
-constexpr double kOcclusionReach = 2;
-
-double meanRadius(const Snapshot& snapshot)
-{
-    double sum = 0;
-    for (const float radius : snapshot.radii)
-    {
-        sum += double{radius};
-    }
-    return snapshot.radii.empty() ? 0 : sum / static_cast<double>(snapshot.radii.size());
 }
 
 /// Longest edge of a picture in tiles, as OpenGL has it in OSMesa.
@@ -108,29 +93,16 @@ struct Renderer::Implementation
     }
 
     /// What is done to a picture as a whole.
-    [[nodiscard]] bool finishesWhole() const
-    {
-        return settings.style.ambientOcclusion || settings.supersample > 1;
-    }
+    [[nodiscard]] bool finishesWhole() const { return settings.supersample > 1; }
     void finishWhole(const Snapshot& snapshot)
     {
         whole = picture.pixels();
-        if (settings.style.ambientOcclusion && !snapshot.centres.empty())
-        {
-            const Framing& framing = backend->framing();
-            const double reach = kOcclusionReach * meanRadius(snapshot) * framing.scale;
-            backend->drawSurfaces(snapshot, {whole.width, whole.height}, surfaces);
-            occlusion.darken(surfaces, framing, reach, whole);
-        }
         const Legend& legend = backend->legend();
         for (const Legend::Piece& piece : legend.pieces(snapshot))
         {
             legend.draw(whole, piece);
         }
-        if (settings.supersample > 1)
-        {
-            whole = shrunk(whole, settings.supersample);
-        }
+        whole = shrunk(whole, settings.supersample);
         wholeRows.assign(static_cast<std::size_t>(whole.height), 1);
     }
 
@@ -141,7 +113,6 @@ struct Renderer::Implementation
     Image whole; ///< if the picture is finished as a whole
     std::vector<std::uint8_t> wholeRows;
     Surfaces surfaces; ///< reused from frame to frame
-    AmbientOcclusion occlusion{lanes::hasAvx2()};
 };
 
 Renderer::Renderer(const TriangleMesh& mesh, const RenderSettings& settings)

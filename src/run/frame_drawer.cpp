@@ -268,7 +268,6 @@ void FrameDrawer::checkForBlank()
     // is closed before: there is never more than one.
     RenderSettings small = settings_;
     small.style.legend = false;
-    small.style.ambientOcclusion = false;
     small.samples = 1;
     small.supersample = 1;
     small.size.height = std::clamp(kLookWidth * small.size.height / small.size.width, 8, 2560);

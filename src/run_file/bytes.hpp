@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -184,5 +186,16 @@ public:
 private:
     std::string_view rest_;
 };
+
+/// Bytes by the name of what they hold. Numbers of one kind pack better among themselves.
+template <typename Bytes>
+using Named = std::map<std::string, Bytes, std::less<>>;
+using Streams = Named<ByteWriter>;
+using StreamReaders = Named<ByteReader>;
+
+/// All streams in a row: their names and lengths first.
+[[nodiscard]] std::string joined(Streams&& streams);
+/// The streams that were joined, as long as the bytes are there. Throws DamagedBytes.
+[[nodiscard]] StreamReaders split(std::string_view bytes);
 
 } // namespace frostfill

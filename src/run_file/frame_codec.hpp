@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "run_file/bytes.hpp"
 #include "run_file/rounding.hpp"
-#include "run_file/streams.hpp"
 
 #include <array>
 #include <cstddef>

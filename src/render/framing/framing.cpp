@@ -3,6 +3,7 @@
 
 #include <frostfill/error.hpp>
 
+#include <Eigen/Geometry>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
@@ -15,6 +16,7 @@
 
 namespace frostfill
 {
+
 namespace
 {
 
@@ -331,6 +333,82 @@ glm::dvec3 horizontalDirection(const Eigen::Vector3d& up, double azimuth)
     const glm::dvec3 back = glm::cross(right, upward);
     const double angle = glm::radians(azimuth);
     return std::cos(angle) * back + std::sin(angle) * right;
+}
+
+CutPlanes cutPlanes(const Cutaway& cutaway, const Framing& framing, const Eigen::Vector3d& up)
+{
+    if (cutaway.kind == Cutaway::Kind::plane)
+    {
+        const Eigen::Vector3d normal = cutaway.normal.normalized();
+        const glm::dvec4 plane(normal.x(), normal.y(), normal.z(), -cutaway.offset * framing.scale);
+        return {plane, plane};
+    }
+    // Away from either face of the wedge, into it. The faces meet in the axis through the origin.
+    return {glm::dvec4(horizontalDirection(up, cutaway.from + 90), 0),
+            glm::dvec4(horizontalDirection(up, cutaway.to - 90), 0)};
+}
+
+std::array<glm::vec4, 2> toEyeSpace(const CutPlanes& planes, const Framing& framing)
+{
+    const glm::dmat4 fromPlanes = glm::transpose(glm::inverse(framing.view));
+    return {glm::vec4(fromPlanes * planes[0]), glm::vec4(fromPlanes * planes[1])};
+}
+
+std::vector<Eigen::Vector3d> verticesInPoses(const std::vector<Eigen::Vector3d>& mesh,
+                                             const std::vector<Pose>& poses)
+{
+    if (poses.empty())
+    {
+        return mesh;
+    }
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& vertex : mesh)
+    {
+        box.extend(vertex);
+    }
+    const Eigen::Vector3d origin = box.center();
+    std::vector<Eigen::Vector3d> vertices;
+    for (const Pose& pose : poses)
+    {
+        for (const Eigen::Vector3d& vertex : mesh)
+        {
+            vertices.emplace_back(origin + pose.offset + pose.rotation * (vertex - origin));
+        }
+    }
+    return vertices;
+}
+
+Framing posed(const Framing& framing, const Pose& pose, const Eigen::Vector3d& origin)
+{
+    // The pose as a matrix of unit space.
+    const Eigen::Vector3d fromCentre = origin - framing.centre;
+    const Eigen::Vector3d shift =
+        framing.scale * (fromCentre + pose.offset - pose.rotation * fromCentre);
+    glm::dmat4 matrix(1);
+    for (int column = 0; column < 3; ++column)
+    {
+        for (int row = 0; row < 3; ++row)
+        {
+            matrix[column][row] = pose.rotation(row, column);
+        }
+        matrix[3][column] = shift[column];
+    }
+    Framing result = framing;
+    result.view = framing.view * matrix;
+    const double isPoint = framing.orthographic ? 0 : 1;
+    result.eye = glm::dvec3(glm::inverse(matrix) * glm::dvec4(framing.eye, isPoint));
+    return result;
+}
+
+std::vector<glm::vec3> inUnitSpace(const TriangleMesh& mesh, const Framing& framing)
+{
+    std::vector<glm::vec3> positions;
+    positions.reserve(mesh.vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    {
+        positions.emplace_back(framing.toUnit(vertex));
+    }
+    return positions;
 }
 
 } // namespace frostfill

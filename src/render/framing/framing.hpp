@@ -3,11 +3,13 @@
 #pragma once
 
 #include <frostfill/renderer.hpp>
+#include <frostfill/snapshot.hpp>
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -85,5 +87,25 @@ inline constexpr double kUsualAzimuth = 30;
 /// The horizontal direction, in mesh or unit space, in which a camera at this azimuth [degree]
 /// stands.
 [[nodiscard]] glm::dvec3 horizontalDirection(const Eigen::Vector3d& up, double azimuth);
+
+/// Two planes in unit space; a point (x, y, z, 1) is taken away when its product with both is
+/// positive. Of a single plane both are the same.
+using CutPlanes = std::array<glm::dvec4, 2>;
+
+/// For a cutaway that is not none.
+[[nodiscard]] CutPlanes cutPlanes(const Cutaway& cutaway, const Framing& framing,
+                                  const Eigen::Vector3d& up);
+
+/// The same planes for points in eye space.
+[[nodiscard]] std::array<glm::vec4, 2> toEyeSpace(const CutPlanes& planes, const Framing& framing);
+
+/// The mesh's vertices in all poses that have to fit into the picture; as they are without poses.
+[[nodiscard]] std::vector<Eigen::Vector3d> verticesInPoses(const std::vector<Eigen::Vector3d>& mesh,
+                                                           const std::vector<Pose>& poses);
+
+/// What the camera sees when the object has moved into a pose about `origin` [mesh coordinates]:
+/// the same as if the camera had moved the other way round it.
+[[nodiscard]] Framing posed(const Framing& framing, const Pose& pose,
+                            const Eigen::Vector3d& origin);
 
 } // namespace frostfill

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/layer/scene_painter.hpp"
 
-#include "render/picture/cut_share.hpp"
 #include "render/picture/painter_settings.hpp"
+#include "render/picture/projected_sphere.hpp"
 #include "render/picture/swatch_mesh.hpp"
 
 #include <glm/geometric.hpp>
@@ -42,7 +42,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
                   strokesFor(settings).lineWidth),
       meshPass_(gl, variant_, shellPalette(settings_.style),
                 strokesFor(settings, mesh.triangles.size())),
-      spheres_(gl, variant_.studio), regions_(settings.size.width, settings.size.height)
+      spheres_(gl, variant_.occlusion), regions_(settings.size.width, settings.size.height)
 {
     if (variant_.cutaway)
     {
@@ -51,13 +51,9 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     }
     const std::vector<glm::vec3> positions = inUnitSpace(mesh, framing);
     studio_ = studioOf(mesh, positions, settings, framing);
-    if (studio_)
+    if (variant_.occlusion)
     {
-        sphereOcclusion_.emplace(studio_->lamp, cutPlanesOf(settings_, framing));
-        if (auto contacts = contactShadowsOf(mesh, positions, settings_, studio_->lamp))
-        {
-            contacts_ = std::make_unique<ContactPass>(gl_, std::move(contacts));
-        }
+        sphereOcclusion_.emplace(lampOf(studio_), cutPlanesOf(settings_, framing));
     }
     if (studio_ && studio_->ground)
     {
@@ -71,7 +67,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     if (legend_.visible())
     {
         const ShaderVariant flat = variantOfSwatches(variant_);
-        if (!variant_.orthographic || variant_.studio)
+        if (!variant_.orthographic || variant_.occlusion)
         {
             flatSpherePass_.emplace(gl_, flat, samplePositions, settings_.style,
                                     strokesFor(settings).lineWidth);
@@ -121,10 +117,6 @@ void ScenePainter::setView(const Framing& framing)
     {
         studio_->light(framing, uniforms_);
     }
-    if (contacts_)
-    {
-        contacts_->shadows().lookFrom(framing, settings_.size, uniforms_);
-    }
     if (variant_.cutaway)
     {
         meshPass_.setCutPlanes(uniforms_.cutPlanes);
@@ -164,15 +156,11 @@ void ScenePainter::clear()
     gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
-void ScenePainter::paintGround(const PixelRectangle& part)
+void ScenePainter::paintGround()
 {
     if (ground_ && studio_->showsGround(framing_))
     {
         ground_->draw(uniforms_.view, uniforms_.projection);
-    }
-    if (contacts_)
-    {
-        contacts_->draw(part, uniforms_.view, uniforms_.projection);
     }
 }
 

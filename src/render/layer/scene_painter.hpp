@@ -6,7 +6,6 @@
 #include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
-#include "render/passes/contact_pass.hpp"
 #include "render/passes/ground_pass.hpp"
 #include "render/passes/mesh_pass.hpp"
 #include "render/passes/sphere_pass.hpp"
@@ -46,14 +45,8 @@ public:
     std::span<const PixelRectangle> setPolygons(std::span<const PolygonState> states);
 
     void clear();
-    /// The studio's, where the camera looks down at it, and on the shell the shadows of spheres
-    /// that touch it, as far as they may be seen in `part`.
-    void paintGround(const PixelRectangle& part);
-    /// In the studio, with a shell: the shadows on it, else none.
-    [[nodiscard]] ContactShadows* contactShadows()
-    {
-        return contacts_ ? &contacts_->shadows() : nullptr;
-    }
+    /// The studio's, where the camera looks down at it.
+    void paintGround();
     /// Everything that is painted from now on, clearing too, is confined to the rectangle.
     void confine(const PixelRectangle& part);
     void endConfinement();
@@ -69,7 +62,7 @@ public:
     void paintShell(std::span<const TriangleTiles::Part> parts);
     void paintLegend();
 
-    /// In the studio: what is at rest, which keeps light from what is painted. Else none.
+    /// What is at rest, which keeps light from what is painted; none if nothing does.
     [[nodiscard]] SphereOcclusion* sphereOcclusion()
     {
         return sphereOcclusion_ ? &*sphereOcclusion_ : nullptr;
@@ -113,7 +106,6 @@ private:
     std::optional<Studio> studio_;
     std::optional<SphereOcclusion> sphereOcclusion_;
     std::unique_ptr<GroundPass> ground_;
-    std::unique_ptr<ContactPass> contacts_;
     std::vector<SphereLight> lights_;
     Framing framing_;
     SphereUniforms uniforms_;

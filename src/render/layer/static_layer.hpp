@@ -4,18 +4,40 @@
 #pragma once
 
 #include "render/context/framebuffer.hpp"
-#include "render/layer/occlusion_map.hpp"
 #include "render/layer/scene_painter.hpp"
 #include "render/picture/dirty_rectangles.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_draw_list.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace frostfill
 {
+
+/// The furthest depth in each small block of a picture. What is further in all the blocks that it
+/// can be seen in is hidden, and stays so for as long as nothing is taken away and the camera is
+/// still.
+class OcclusionMap
+{
+public:
+    OcclusionMap(int width, int height);
+
+    /// From now on nothing is hidden.
+    void clear() { known_ = false; }
+    /// Takes the depths of a part of the picture, in which all lie that hide: 24 bits above 8 that
+    /// do not count, bottom row first.
+    void build(const PixelRectangle& part, std::span<const std::uint32_t> depths);
+    [[nodiscard]] bool hides(const ProjectedSphere& sphere) const;
+
+private:
+    int columns_;
+    bool known_ = false;
+    std::vector<float> furthest_;          ///< [rows x columns]
+    std::vector<std::int32_t> ofBlockRow_; ///< [columns] the same, as integers
+};
 
 /// The picture without the spheres that run: background, spheres at rest, shell and legend, with
 /// their depths. Every frame starts from it, so that what cannot change is not drawn again.

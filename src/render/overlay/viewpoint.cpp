@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/viewpoint.hpp"
 
+#include "render/framing/framing.hpp"
 #include "render/framing/front.hpp"
-#include "render/framing/pose_framing.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -48,6 +48,7 @@ std::string definitionsOf(const ShaderVariant& variant)
     lines += variant.orthographic ? "#define ORTHOGRAPHIC\n" : "";
     lines += variant.cutaway ? "#define CUTAWAY\n" : "";
     lines += variant.outlines ? "#define OUTLINES\n" : "";
+    lines += variant.occlusion ? "#define OCCLUSION\n" : "";
     lines += variant.studio ? "#define STUDIO\n" : "";
     lines += variant.fadingLines ? "#define FADING_LINES\n" : "";
     return lines;

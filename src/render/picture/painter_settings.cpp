@@ -67,6 +67,7 @@ ShaderVariant variantOf(const RenderSettings& settings, const TriangleMesh& mesh
             .cutaway = settings.style.cutaway.kind != Cutaway::Kind::none,
             .outlines = paper,
             .fadingLines = !asInThePaper,
+            .occlusion = settings.style.ambientOcclusion || settings.style.look == Look::studio,
             .studio = settings.style.look == Look::studio};
 }
 
@@ -74,8 +75,7 @@ ShaderVariant variantOfSwatches(ShaderVariant variant)
 {
     variant.orthographic = true;
     variant.cutaway = false;
-    variant.studio = false;
-    return variant;
+    return shapesOnly(variant);
 }
 
 std::optional<CutPlanes> cutPlanesOf(const RenderSettings& settings, const Framing& framing)

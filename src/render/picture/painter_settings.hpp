@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/framing/cutaway_planes.hpp"
 #include "render/framing/framing.hpp"
 #include "render/picture/sphere_instance.hpp"
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/projected_sphere.hpp"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace frostfill
 {
+
 namespace
 {
 
@@ -98,6 +101,19 @@ ProjectedSphere SphereProjector::orthographic(const glm::vec3& centre, float rad
     // A cut may show what lies behind the centre.
     result.furthestDepth = depth(centre.z - radius) + depthSlack_;
     return result;
+}
+
+CutShare cutShareOf(const SphereInstance& sphere, const SphereUniforms& uniforms)
+{
+    const glm::vec4 centre = uniforms.view * glm::vec4(sphere.x, sphere.y, sphere.z, 1);
+    const float radius = 1.0001F * sphere.radius + 1e-6F; // for rounding
+    const float depth =
+        std::min(glm::dot(uniforms.cutPlanes[0], centre), glm::dot(uniforms.cutPlanes[1], centre));
+    if (depth > radius)
+    {
+        return CutShare::nothing;
+    }
+    return depth < -radius ? CutShare::whole : CutShare::part;
 }
 
 } // namespace frostfill

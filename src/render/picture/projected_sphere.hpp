@@ -5,6 +5,8 @@
 #include "render/framing/pixel_rectangle.hpp"
 #include "render/picture/sphere_instance.hpp"
 
+#include <cstdint>
+
 namespace frostfill
 {
 
@@ -39,5 +41,17 @@ private:
     int height_;
     float depthSlack_;
 };
+
+/// What a cutaway leaves of a sphere. Most are whole or gone: those are drawn, or not, as without
+/// one, at a quarter of the cost.
+enum class CutShare : std::uint8_t
+{
+    whole,
+    part,
+    nothing,
+};
+
+/// By the planes of the uniforms.
+[[nodiscard]] CutShare cutShareOf(const SphereInstance& sphere, const SphereUniforms& uniforms);
 
 } // namespace frostfill

@@ -3,12 +3,12 @@
 
 #include "render/framing/framing.hpp"
 #include "render/overlay/colour_scale.hpp"
-#include "render/picture/sphere_cells.hpp"
 #include "render/picture/sphere_instance.hpp"
 
 #include <frostfill/snapshot.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,6 +26,26 @@ inline constexpr std::size_t kSortFrom = 2000;
 /// The places of spheres in the order of their distance from the viewer.
 [[nodiscard]] std::vector<std::uint32_t> nearestFirst(std::span<const SphereInstance> spheres,
                                                       const Framing& framing);
+
+/// From so many spheres at rest on they are drawn by cells: to place and to order each of them for
+/// every camera takes longer than to draw those that are seen.
+inline constexpr std::size_t kCellsFrom = 100000;
+
+/// Spheres that lie beside each other, and a sphere around them: if that is hidden, all are.
+struct SphereCell
+{
+    std::uint32_t first, end; ///< indices of spheres
+    SphereInstance around;
+};
+
+/// The order in which neighbours stand together, and those cells. Takes eight bytes a sphere while
+/// it works.
+struct CellOrder
+{
+    std::vector<std::uint32_t> order; ///< [spheres] which comes next
+    std::vector<SphereCell> cells;    ///< of spheres in this order
+};
+[[nodiscard]] CellOrder orderByCells(std::span<const SphereInstance> spheres);
 
 /// The spheres of the last snapshot in the order in which they are drawn: those at rest first, in
 /// the order in which they came to rest, then those that run, by id. Where two surfaces have the

@@ -59,13 +59,14 @@ struct ShaderVariant
     bool cutaway = false;
     bool outlines = false;    ///< around every sphere: for print
     bool fadingLines = false; ///< the shell's lines suit triangles of any size
-    bool studio = false;      ///< spheres keep light from each other
+    bool occlusion = false;   ///< spheres keep light from each other
+    bool studio = false;      ///< they do, and there is a lamp
 };
 
 /// For passes that show no colours.
 [[nodiscard]] inline ShaderVariant shapesOnly(ShaderVariant variant)
 {
-    variant.studio = false;
+    variant.occlusion = variant.studio = false;
     return variant;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/framing/cutaway_planes.hpp"
+#include "render/framing/framing.hpp"
 #include "render/picture/occluder_grid.hpp"
 #include "render/picture/sphere_instance.hpp"
 
@@ -24,7 +24,8 @@ struct LightsOfSpheres
     std::span<const std::uint32_t> slots; ///< [spheres] index of its light, or kNone
     std::span<const SphereLight> lights;
 
-    /// Null outside the studio. What was never asked for has the light that nothing keeps off.
+    /// Null where spheres keep no light off. What was never asked for has the light that nothing
+    /// keeps off.
     [[nodiscard]] const SphereLight* of(std::size_t sphere) const
     {
         static const SphereLight kOpen;
@@ -43,7 +44,8 @@ public:
     /// Nor of the lamp, when they are further than this in its direction.
     static constexpr float kLampReach = 7;
 
-    /// `towardsLamp` is a unit vector. What a cut takes away keeps no light off.
+    /// `towardsLamp` is a unit vector, or 0 if there is no lamp. What a cut takes away keeps no
+    /// light off.
     SphereOcclusion(const glm::vec3& towardsLamp, const std::optional<CutPlanes>& cut);
 
     /// Takes these and no others, which have indices in this order from now on. What is known of

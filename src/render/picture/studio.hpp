@@ -36,4 +36,10 @@ struct Studio
                                              const RenderSettings& settings,
                                              const Framing& framing);
 
+/// The way to the lamp for SphereOcclusion: outside the studio there is none.
+[[nodiscard]] inline glm::vec3 lampOf(const std::optional<Studio>& studio)
+{
+    return studio ? studio->lamp : glm::vec3(0);
+}
+
 } // namespace frostfill

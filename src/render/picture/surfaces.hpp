@@ -4,6 +4,7 @@
 #include "render/framing/framing.hpp"
 #include "render/picture/sphere_instance.hpp"
 
+#include <frostfill/renderer.hpp>
 #include <frostfill/snapshot.hpp>
 
 #include <array>
@@ -36,5 +37,8 @@ struct DepthLimits
     double nearest, furthest;
 };
 [[nodiscard]] DepthLimits depthLimits(const glm::dmat4& projection, bool orthographic);
+
+/// Surfaces in the form in which they are given out. `pictures` is reused.
+void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPictures& pictures);
 
 } // namespace frostfill

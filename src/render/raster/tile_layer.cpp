@@ -12,20 +12,18 @@ namespace frostfill
 {
 
 TileLayer::TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
-                     std::optional<Studio> studio, const std::optional<CutPlanes>& cut,
-                     std::unique_ptr<ContactShadows> contacts, bool avx2)
+                     std::optional<Studio> studio, const std::optional<CutPlanes>& cut)
     : grid_(grid), size_(settings.size), background_(settings.style.palette.background),
-      studio_(std::move(studio)), avx2_(avx2), contacts_(std::move(contacts)), contactsIn_(grid),
-      grounds_(grid.count()), repainted_(grid.count())
+      studio_(std::move(studio)), repainted_(grid.count())
 {
     tiles_.reserve(grid_.count());
     for (std::size_t i = 0; i < grid_.count(); ++i)
     {
         tiles_.emplace_back(background_, samples);
     }
-    if (studio_)
+    if (studio_ || settings.style.ambientOcclusion)
     {
-        sphereOcclusion_.emplace(studio_->lamp, cut);
+        sphereOcclusion_.emplace(lampOf(studio_), cut);
     }
 }
 
@@ -51,19 +49,11 @@ void TileLayer::lookFrom(const TileView& view, const Framing& framing,
     {
         ground.emplace(*studio_->ground, uniforms.view, pixelsSeen, background_);
     }
-    if (contacts_)
-    {
-        contacts_->lookFrom(framing, size_, uniforms);
-        contactRaster_.emplace(uniforms.view, pixelsSeen, avx2_);
-    }
     tbb::parallel_for(std::size_t{0}, tiles_.size(),
                       [&](std::size_t tile)
                       {
                           auto pixels = ground ? std::make_unique<TileBackground>() : nullptr;
                           const bool seen = ground && ground->draw(grid_.part(tile), *pixels);
-                          grounds_[tile] = seen && contacts_
-                                               ? std::make_unique<TileBackground>(*pixels)
-                                               : nullptr;
                           tiles_[tile].setGround(seen ? std::move(pixels) : nullptr);
                       });
 }
@@ -76,72 +66,6 @@ void TileLayer::follow(std::span<const SphereInstance> resting, std::span<const 
     if (sphereOcclusion_)
     {
         sphereOcclusion_->follow(resting, first);
-    }
-    contactsChanged_ = contacts_ && contacts_->follow(resting, first);
-    if (contactsChanged_)
-    {
-        listContacts();
-    }
-}
-
-void TileLayer::listContacts()
-{
-    contactsIn_.clear();
-    const std::span<const ContactShadows::Seen> seen = contacts_->seen();
-    for (std::uint32_t i = 0; i < seen.size(); ++i)
-    {
-        contactsIn_.list(i, seen[i].pixels);
-    }
-}
-
-void TileLayer::paintBackground(std::size_t tile)
-{
-    if (contactsIn_[tile].empty() && !grounds_[tile])
-    {
-        tiles_[tile].setGround(nullptr);
-        return;
-    }
-    auto pixels = std::make_unique<TileBackground>();
-    if (grounds_[tile])
-    {
-        *pixels = *grounds_[tile];
-    }
-    else
-    {
-        pixels->fill(premultiplied(background_));
-    }
-    for (const std::uint32_t contact : contactsIn_[tile])
-    {
-        contactRaster_->draw(contacts_->seen()[contact], grid_.part(tile), *pixels);
-    }
-    tiles_[tile].setGround(std::move(pixels));
-}
-
-void TileLayer::addToRepainted(std::size_t tile, const PixelRectangle& pixels)
-{
-    PixelRectangle& part = repainted_[tile];
-    part = around(part, grid_.part(tile).within(pixels));
-}
-
-void TileLayer::addContacts(std::span<PixelRectangle> dirty)
-{
-    for (const PixelRectangle& pixels : contacts_->arrived())
-    {
-        grid_.each(pixels, [&](std::size_t tile) { addToRepainted(tile, pixels); });
-    }
-    for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-    {
-        const PixelRectangle part = std::exchange(repainted_[tile], {});
-        if (part.empty())
-        {
-            continue;
-        }
-        paintBackground(tile);
-        if (!tiles_[tile].empty())
-        {
-            tiles_[tile].recolour(view_->raster, restingSpheres(), grid_.part(tile), part);
-        }
-        dirty[tile] = around(dirty[tile], part);
     }
 }
 
@@ -178,10 +102,6 @@ void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
     for (RestingTile& tile : tiles_)
     {
         tile.clear();
-    }
-    if (contactsChanged_)
-    {
-        forAll(tiles_.size(), 1, [&](std::size_t tile) { paintBackground(tile); });
     }
     listCells();
     const std::size_t inCells = restingSpheres().inCells();
@@ -235,7 +155,8 @@ void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<Pixel
                            {
                                stale.push_back(tile);
                            }
-                           addToRepainted(tile, pixels);
+                           repainted_[tile] =
+                               around(repainted_[tile], grid_.part(tile).within(pixels));
                        }
                    });
     };
@@ -286,10 +207,6 @@ void TileLayer::add(std::size_t first, std::span<PixelRectangle> dirty)
                     dirty[tile] = around(dirty[tile], whole.within(placed.pixels));
                 }
             });
-    }
-    if (contactsChanged_)
-    {
-        addContacts(dirty);
     }
 }
 

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/framing/cutaway_planes.hpp"
-#include "render/picture/contact_shadows.hpp"
+#include "render/framing/framing.hpp"
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/picture/studio.hpp"
-#include "render/picture/tile_lists.hpp"
 #include "render/raster/lanes/tile_grid.hpp"
-#include "render/raster/spheres/contact_raster.hpp"
 #include "render/raster/spheres/ground_raster.hpp"
 #include "render/raster/spheres/resting_tile.hpp"
 #include "render/raster/spheres/tile_view.hpp"
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -20,15 +16,13 @@
 namespace frostfill
 {
 
-/// The spheres at rest in all tiles, drawn once and kept, with the ground of the studio and what
-/// keeps light from what lies there. It adds the parts of tiles that it has drawn anew to `dirty`
-/// [tiles].
+/// The spheres at rest in all tiles, drawn once and kept, with the ground of the studio. It adds
+/// the parts of tiles that it has drawn anew to `dirty` [tiles].
 class TileLayer
 {
 public:
     TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
-              std::optional<Studio> studio, const std::optional<CutPlanes>& cut,
-              std::unique_ptr<ContactShadows> contacts, bool avx2);
+              std::optional<Studio> studio, const std::optional<CutPlanes>& cut);
 
     /// The view has to stay until the next call, and everything has to be rebuilt.
     void lookFrom(const TileView& view, const Framing& framing, const SphereUniforms& uniforms);
@@ -51,7 +45,7 @@ public:
     {
         return tiles_[tile].hides(sphere, grid_.part(tile));
     }
-    /// What reaches a sphere that is not at rest; none but in the studio.
+    /// What reaches a sphere that is not at rest; none where spheres keep no light off.
     [[nodiscard]] std::optional<SphereLight> lightOn(const SphereInstance& sphere,
                                                      const SphereBounds& placed);
 
@@ -63,12 +57,6 @@ private:
     {
         return restingSpheres().bounds(resting);
     }
-    void listContacts();
-    /// Draws what is seen where nothing lies: ground and contact shadows.
-    void paintBackground(std::size_t tile);
-    /// Draws where contact shadows have come.
-    void addToRepainted(std::size_t tile, const PixelRectangle& pixels);
-    void addContacts(std::span<PixelRectangle> dirty);
     void repaintTiles(const RestingSpheres& resting, bool cull);
     void updateVisibleLight();
     [[nodiscard]] bool isSeen(std::uint32_t resting, std::size_t tile) const;
@@ -79,13 +67,7 @@ private:
     PictureSize size_;
     Colour background_;
     std::optional<Studio> studio_;
-    std::optional<SphereOcclusion> sphereOcclusion_; ///< in the studio
-    bool avx2_;
-    std::unique_ptr<ContactShadows> contacts_; ///< in the studio, with a shell
-    bool contactsChanged_ = false;
-    std::optional<ContactRaster> contactRaster_;           ///< from where the camera is
-    TileLists contactsIn_;                                 ///< those that are seen
-    std::vector<std::unique_ptr<TileBackground>> grounds_; ///< [tiles] with contacts: without them
+    std::optional<SphereOcclusion> sphereOcclusion_; ///< if spheres keep light from each other
     const TileView* view_ = nullptr;
     std::span<const SphereInstance> resting_;
     std::span<const SphereCell> cells_;

@@ -27,10 +27,8 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
     }
     std::optional<Studio> studio =
         studioOf(mesh, positions, viewpoint().settings(), viewpoint().framing());
-    auto contacts =
-        studio ? contactShadowsOf(mesh, positions, viewpoint().settings(), studio->lamp) : nullptr;
     layer_.emplace(grid_, viewpoint().settings(), samples_, std::move(studio),
-                   cutPlanesOf(settings, viewpoint().framing()), std::move(contacts), avx2_);
+                   cutPlanesOf(settings, viewpoint().framing()));
     if (viewpoint().legend().visible())
     {
         swatches_ = std::make_unique<SwatchRaster>(viewpoint(), variant_, samples_, avx2_);

@@ -160,7 +160,8 @@ void addPicture(TableBuilder& table)
     table.add("picture.cutaway", "--cutaway",
               "Cut open: remove what is beyond a plane or in a wedge [degree]",
               FROSTFILL_FIELD(style.cutaway));
-    table.add("picture.ambient_occlusion", "", "Darken crevices; doubles the time of drawing",
+    table.add("picture.ambient_occlusion", "",
+              "Darken crevices between spheres, as the style studio does",
               FROSTFILL_FIELD(style.ambientOcclusion));
     table.add("picture.legend", "--legend", "Show counts and colours",
               FROSTFILL_FIELD(style.legend));

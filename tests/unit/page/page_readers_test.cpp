@@ -3,7 +3,6 @@
 // is installed, which runs what needs no browser; and by Chromium, where it is installed, which
 // shows the page and is compared with our own pictures.
 #include "unit/page/paged_run.hpp"
-#include "unit/page/studio_oracle.hpp"
 
 #include <frostfill/render_run.hpp>
 
@@ -88,12 +87,6 @@ TEST_P(InNode, PagesDecodeEveryFrameAndPlaceTheCamera)
     PageRequest request;
     request.run = folder.path();
     writePage(request);
-    nlohmann::json studio = {{"light", test::lightOracle()}};
-    if (kind == "Still")
-    {
-        studio["contacts"] = test::contactOracle(folder.path());
-    }
-    writeFile(folder / "studio.json", studio.dump());
     read("in_node.mjs", folder, "node");
 }
 
@@ -101,13 +94,12 @@ INSTANTIATE_TEST_SUITE_P(Runs, InNode, ::testing::Values("Still", "Moved", "Even
                          [](const auto& run) { return std::string(run.param); });
 
 /// Our own pictures of three frames, drawn as pages draw: twice as wide and high, then averaged.
-/// Lamps stand where the run's camera does, so that the studio is drawn with that.
 void drawFrames(const std::filesystem::path& folder, const std::vector<std::size_t>& frames,
-                Look look)
+                Look look, const std::string& name)
 {
     RenderRequest request;
     request.run = folder;
-    request.directory = folder / (look == Look::studio ? "studio" : "clean");
+    request.directory = folder / name;
     request.change = [&](Scene& scene)
     {
         scene.style.look = look;
@@ -117,13 +109,10 @@ void drawFrames(const std::filesystem::path& folder, const std::vector<std::size
         scene.samples = 1;
         scene.supersample = 2;
         scene.style.legend = false;
-        if (look != Look::studio)
-        {
-            scene.camera.azimuth = 50;
-            scene.camera.elevation = 35;
-            scene.camera.target = Eigen::Vector3d(0.1, 0.2, -0.1);
-            scene.camera.distance = 5;
-        }
+        scene.camera.azimuth = 50;
+        scene.camera.elevation = 35;
+        scene.camera.target = Eigen::Vector3d(0.1, 0.2, -0.1);
+        scene.camera.distance = 5;
     };
     ASSERT_EQ(renderRun(request).frames, frames.size());
 }
@@ -149,14 +138,13 @@ TEST_P(InChromium, PagesLookLikeOurPicturesAndAnswerToHands)
     const std::size_t last = recorded.numbers.size() - 1;
     const std::vector<std::size_t> frames = {recorded.numbers[last / 4], recorded.numbers[last / 2],
                                              recorded.numbers[last - 1]};
-    drawFrames(folder.path(), frames, Look::clean);
-    drawFrames(folder.path(), frames, Look::studio);
+    drawFrames(folder.path(), frames, Look::clean, "Clean");
+    drawFrames(folder.path(), frames, Look::paper, "Paper");
     const nlohmann::json facts = {
         {"frames", frames},
         {"size", "320x240"},
-        {"looks",
-         {{"clean", "look=Clean&azimuth=50&elevation=35&target=0.1,0.2,-0.1&distance=5"},
-          {"studio", "look=Studio"}}}};
+        {"camera", "azimuth=50&elevation=35&target=0.1,0.2,-0.1&distance=5"},
+        {"looks", {"Clean", "Paper"}}};
     writeFile(folder / "pictures.json", facts.dump());
     PageRequest request;
     request.run = folder.path();

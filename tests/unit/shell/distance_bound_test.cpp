@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "shell/distance_bound.hpp"
-
 #include "geometry/closest_point.hpp"
+#include "shell/simplified_shell.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/picture/sphere_cells.hpp"
+#include "render/picture/sphere_draw_list.hpp"
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/spheres/ground_raster.hpp"
@@ -23,7 +23,7 @@ struct RestingSpheres
 {
     std::span<const SphereInstance> spheres;
     std::span<const SphereBounds> placed; ///< [spheres that are in no cell]
-    LightsOfSpheres lights;               ///< if they are lit as in the studio
+    LightsOfSpheres lights;               ///< if they keep light from each other
     std::span<const SphereCell> cells = {};
     std::span<const SphereBounds> placedCells = {}; ///< [cells]
     const TileView* view = nullptr;                 ///< with cells

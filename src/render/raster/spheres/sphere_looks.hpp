@@ -73,18 +73,47 @@ FROSTFILL_INLINE Words finished(const SphereSetup& s, const Normals& normals, co
     return inBytes(lit + s.look.haze + glossOf(s.look, dot(normals, s.highlight)));
 }
 
+/// Multiplies by what neighbours let through of the sky and, with `facing` the cosine between
+/// normal and lamp, of the lamp.
+template <bool withLamp>
+FROSTFILL_INLINE void takeLight(const SphereRaster::Lighting& l, const Normals& normals,
+                                Floats facing, Floats& sky, Floats& lamp)
+{
+    for (std::size_t i = 0; i < l.count; ++i)
+    {
+        const SphereRaster::Lighting::Occluder& o = l.occluders[i];
+        const Floats along = dot(normals, o.way);
+        const Floats squared = o.squared - 2 * along;
+        sky *= skyPast(along, o.radius, squared);
+        if (withLamp && o.ahead > -1)
+        {
+            lamp *= lampPast(o.ahead - facing, o.radius, squared);
+        }
+    }
+}
+
+/// With or without what neighbours keep off.
+template <bool occluded>
 struct InClean
 {
     const SphereSetup& s;
+    const SphereRaster::Lighting* l;
 
     template <Marks marks>
     FROSTFILL_INLINE Words shaded(const Normals& normals, const Places& at) const
     {
-        const Floats light = lightFrom(dot(normals, s.up), dot(normals, s.key),
-                                       dot(normals, s.fill), dot(normals, s.back));
-        return finished<marks>(
-            s, normals,
-            s.look.tint * (light * lightNearRim(at.w) * leftOfLight<marks>(s, normals, at)));
+        Floats light = lightFrom(dot(normals, s.up), dot(normals, s.key), dot(normals, s.fill),
+                                 dot(normals, s.back)) *
+                       lightNearRim(at.w);
+        if constexpr (occluded)
+        {
+            Floats sky = all(l->sky);
+            Floats lamp{};
+            takeLight<false>(*l, normals, lamp, sky, lamp);
+            light *= sky;
+        }
+        return finished<marks>(s, normals,
+                               s.look.tint * (light * leftOfLight<marks>(s, normals, at)));
     }
 };
 
@@ -93,30 +122,13 @@ struct InStudio
     const SphereSetup& s;
     const SphereRaster::Lighting& l;
 
-    /// Multiplies by what neighbours let through of the sky and of the lamp.
-    FROSTFILL_INLINE void takeLight(const Normals& normals, Floats facing, Floats& sky,
-                                    Floats& lamp) const
-    {
-        for (std::size_t i = 0; i < l.count; ++i)
-        {
-            const SphereRaster::Lighting::Occluder& o = l.occluders[i];
-            const Floats along = dot(normals, o.way);
-            const Floats squared = o.squared - 2 * along;
-            sky *= skyPast(along, o.radius, squared);
-            if (o.ahead > -1)
-            {
-                lamp *= lampPast(o.ahead - facing, o.radius, squared);
-            }
-        }
-    }
-
     template <Marks marks>
     FROSTFILL_INLINE Words shaded(const Normals& normals, const Places& at) const
     {
         Floats sky = all(l.sky);
         Floats lamp = all(l.lamp);
         const Floats facing = dot(normals, l.towardsLamp);
-        takeLight(normals, facing, sky, lamp);
+        takeLight<true>(l, normals, facing, sky, lamp);
         const Vectors lit =
             inStudio(s.look.tint, dot(normals, l.up), facing, dot(normals, l.gloss), sky, lamp);
         return finished<marks>(s, normals, lit * leftOfLight<marks>(s, normals, at));
@@ -161,18 +173,21 @@ FROSTFILL_INLINE void withLook(const SphereRaster::Drawn& drawn, Visit visit)
     {
         visit(s, InSurfaces{*drawn.surface}, None{});
     }
-    else if (drawn.print)
-    {
-        visit(s, InClean{s}, Print{});
-    }
-    else if (drawn.lighting != nullptr)
+    else if (drawn.studio && drawn.lighting != nullptr)
     {
         marked ? visit(s, InStudio{s, *drawn.lighting}, State{})
                : visit(s, InStudio{s, *drawn.lighting}, None{});
     }
     else
     {
-        marked ? visit(s, InClean{s}, State{}) : visit(s, InClean{s}, None{});
+        const auto inClean = [&](const auto& look)
+        {
+            drawn.print ? visit(s, look, Print{})
+            : marked    ? visit(s, look, State{})
+                        : visit(s, look, None{});
+        };
+        drawn.lighting != nullptr ? inClean(InClean<true>{s, drawn.lighting})
+                                  : inClean(InClean<false>{s, nullptr});
     }
 }
 

@@ -149,14 +149,14 @@ void SphereRaster::draw(const SphereInstance& sphere, const PixelRectangle& pixe
     const CutShare share = leftOf(sphere);
     Axes axes;
     Setup setup;
-    if (rows.empty() || share == CutShare::nothing || !setUp(sphere, light != nullptr, axes, setup))
+    if (rows.empty() || share == CutShare::nothing || !setUp(sphere, axes, setup))
     {
         return;
     }
     Lighting lighting;
     Surface surface;
     Cut cut;
-    Drawn drawn{setup, nullptr, nullptr, nullptr, print_};
+    Drawn drawn{setup, nullptr, nullptr, nullptr, print_, studio_};
     if (light != nullptr)
     {
         setLighting(*light, axes, lighting);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "render/framing/numbers.hpp"
-#include "render/picture/cut_share.hpp"
+#include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_instance.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 
@@ -47,7 +47,7 @@ public:
                                                  const ShaderVariant& variant,
                                                  const PictureSize& size, bool avx2);
 
-    /// `pixels` is the sphere's rectangle in the picture. `light`: for the style studio.
+    /// `pixels` is the sphere's rectangle in the picture. `light`: if neighbours keep any off.
     void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
               SampleTile& tile, const SphereLight* light = nullptr) const;
 
@@ -84,7 +84,7 @@ public:
         std::array<float, kMaxTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
     };
 
-    /// What the studio adds. Lengths are in its radius.
+    /// What neighbours take away, and the studio adds. Lengths are in the radius.
     struct Lighting
     {
         struct Occluder
@@ -134,7 +134,7 @@ public:
         const Lighting* lighting;
         const Cut* cut;
         const Surface* surface;
-        bool print;
+        bool print, studio;
     };
 
 private:
@@ -150,9 +150,9 @@ private:
     };
 
     /// False when it cannot be seen.
-    bool setUp(const SphereInstance& sphere, bool lit, Axes& axes, Setup& setup) const;
-    void setColours(const SphereInstance& sphere, const glm::vec3& centre, bool lit,
-                    const Axes& axes, Setup& setup) const;
+    bool setUp(const SphereInstance& sphere, Axes& axes, Setup& setup) const;
+    void setColours(const SphereInstance& sphere, const glm::vec3& centre, const Axes& axes,
+                    Setup& setup) const;
     void setLighting(const SphereLight& light, const Axes& axes, Lighting& lighting) const;
     void setCut(const SphereInstance& sphere, const Axes& axes, Cut& cut) const;
     [[nodiscard]] Surface surfaceOf(const SphereInstance& sphere, const Axes& axes) const;
@@ -165,7 +165,7 @@ private:
     SphereUniforms uniforms_;
     PixelGrid grid_;
     bool cutaway_;
-    bool print_;
+    bool print_, studio_;
     bool surfaces_ = false;
     float outline_;        ///< [pixel] for print
     glm::vec3 background_; ///< [0..1]

@@ -44,8 +44,9 @@ SphereRaster::SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& 
                            const PictureSize& size, const Style& style, float lineWidth,
                            int samples, bool avx2, float front)
     : uniforms_(uniforms), grid_(pixelGrid(uniforms.projection, variant.orthographic, size)),
-      cutaway_(variant.cutaway), print_(variant.outlines), outline_(lineWidth),
-      background_(toVector(style.palette.background)), samples_(samples), avx2_(avx2), front_(front)
+      cutaway_(variant.cutaway), print_(variant.outlines), studio_(variant.studio),
+      outline_(lineWidth), background_(toVector(style.palette.background)), samples_(samples),
+      avx2_(avx2), front_(front)
 {
     const auto [nearest, furthest] = depthLimits(uniforms.projection, variant.orthographic);
     shown_ = {static_cast<float>(nearest), static_cast<float>(furthest)};
@@ -64,7 +65,7 @@ glm::vec3 SphereRaster::centreOf(const SphereInstance& sphere) const
     return glm::vec3(uniforms_.view * glm::vec4(sphere.x, sphere.y, sphere.z, 1));
 }
 
-void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& centre, bool lit,
+void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& centre,
                               const Axes& axes, Setup& setup) const
 {
     const glm::vec4 point(centre, 1);
@@ -75,14 +76,14 @@ void SphereRaster::setColours(const SphereInstance& sphere, const glm::vec3& cen
     setup.look = lanes::lookOf(
         colour, lanes::marksOf(lanes::stateOf(sphere.state)),
         glm::dot(uniforms_.heightPlane, point), far, lanes::kWhite * background_,
-        distance / (uniforms_.pixelScale * sphere.radius), uniforms_.supersample, lit, print_);
+        distance / (uniforms_.pixelScale * sphere.radius), uniforms_.supersample, studio_, print_);
     const glm::vec3 axis = lanes::axisOf(sphere.state);
     setup.look.stripe = lanes::stripeAround(axis);
     setup.stripe = axes.slope(glm::mat3(uniforms_.view) * axis);
     setup.outline = outline_;
 }
 
-bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Setup& setup) const
+bool SphereRaster::setUp(const SphereInstance& sphere, Axes& axes, Setup& setup) const
 {
     const glm::vec3 centre = centreOf(sphere);
     const float radius = sphere.radius;
@@ -147,7 +148,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, bool lit, Axes& axes, Set
         setup.aboveAt[k] = setup.aboveX * at.x + setup.aboveY * at.y;
         setup.alongAt[k] = setup.alongX * at.x + setup.alongY * at.y;
     }
-    setColours(sphere, centre, lit, axes, setup);
+    setColours(sphere, centre, axes, setup);
     return true;
 }
 

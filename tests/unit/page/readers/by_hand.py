@@ -6,8 +6,6 @@ sections that facts.sections names, each with its length. Counts, differences an
     points, normals, creases: corners of the shell in unit space, as floats; 16-bit normals; distances from creases
     triangles: differences of three numbers of corners each
     edges, edgeKinds: the triangles beside each edge, in which corner it is not, how strongly it is drawn
-    ground: how dark each corner of the grid studio.ground is, 255 for black
-    walls: the spheres that touch walls in the last frame: how many; of each the difference of its id, its place as three differences from 0, and of each wall the direction away from it over 32767, the height of the centre over 32767 radii, and how much the wall bends over 255
     frames, times, poses, changes, state, x, y, z, radius, group, speed, contacts:uint32: the frames, in the streams of the run file, without exact
 
 Places are in units of film.step from origin, radii in units of film.radius_step; a speed of 255 is film.fastest, or more.

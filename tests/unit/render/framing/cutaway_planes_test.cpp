@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/framing/cutaway_planes.hpp"
+#include "render/framing/framing.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/framing/pose_framing.hpp"
-
+#include "render/framing/framing.hpp"
 #include "support/pictures.hpp"
 
 #include <Eigen/Geometry>

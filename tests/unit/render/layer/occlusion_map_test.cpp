@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/layer/occlusion_map.hpp"
-
+#include "render/layer/static_layer.hpp"
 #include "support/pictures.hpp"
 
 #include <gtest/gtest.h>

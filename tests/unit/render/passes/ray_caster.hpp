@@ -2,7 +2,6 @@
 // The textbook, in double precision: where a ray meets spheres, or what a cutaway leaves of them.
 #pragma once
 
-#include "render/framing/cutaway_planes.hpp"
 #include "render/framing/framing.hpp"
 #include "render/picture/sphere_instance.hpp"
 

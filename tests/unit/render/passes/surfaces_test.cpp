@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Depth, normals, identities, and what of light neighbours keep off by them, as OpenGL and as tiles
 // draw them, against a ray caster.
+#include "render/picture/surfaces.hpp"
+
 #include "render/picture/painter_settings.hpp"
-#include "render/picture/pass_pictures.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/lanes/has_avx2.hpp"
-#include "render/raster/spheres/ambient_occlusion.hpp"
 #include "render/raster/tile_pipeline.hpp"
 #include "support/drawn_with.hpp"
 #include "support/expect_error.hpp"
@@ -52,7 +52,6 @@ struct Apart
     double normal = 0;     ///< [1 / 255 of -1..1]
     std::size_t onEdge = 0;
     std::size_t doubtful = 0; ///< where spheres overlap, a cut shows any of them
-    double occlusion = 0;     ///< mean difference of the light that neighbours leave
 };
 
 /// What the ray caster has found in a pixel, in place of what was drawn.
@@ -66,23 +65,6 @@ void put(const test::Hit& hit, double ahead, const glm::dvec3& normal, std::size
         surfaces.normal[i][static_cast<std::size_t>(c)] =
             static_cast<std::uint8_t>(hit.isThere() ? std::lround(127.5 + 127.5 * normal[c]) : 0);
     }
-}
-
-/// Where all around a point is compared, one pixel on an edge does not count.
-double meanDifferenceOfLight(const Surfaces& drawn, const Surfaces& exact, const Framing& framing)
-{
-    constexpr double kReach = 0.15; // unit space
-    AmbientOcclusion ofDrawn(lanes::hasAvx2());
-    AmbientOcclusion ofExact(lanes::hasAvx2());
-    const std::vector<float>& light = ofDrawn.lightOn(drawn, framing, kReach);
-    const std::vector<float>& expected = ofExact.lightOn(exact, framing, kReach);
-    EXPECT_LT(*std::min_element(expected.begin(), expected.end()), 0.8F) << "it proves little";
-    double sum = 0;
-    for (std::size_t i = 0; i < light.size(); ++i)
-    {
-        sum += std::abs(double{light[i]} - double{expected[i]});
-    }
-    return sum / static_cast<double>(light.size());
 }
 
 Apart apartFromRays(const Surfaces& surfaces, const Framing& framing,
@@ -130,7 +112,6 @@ Apart apartFromRays(const Surfaces& surfaces, const Framing& framing,
             apart.normal = std::max(apart.normal, std::abs(own - (127.5 + 127.5 * normal[c])));
         }
     }
-    apart.occlusion = meanDifferenceOfLight(surfaces, exact, framing);
     return apart;
 }
 
@@ -152,7 +133,6 @@ void expectThoseOfTheRayCaster(const RenderSettings& settings, int count = 60,
         EXPECT_EQ(apart.wrong, 0U);
         EXPECT_LT(apart.distance, kDepthOfSurface);
         EXPECT_LE(apart.normal, 0.52); // half is rounding
-        EXPECT_LT(apart.occlusion, 1e-5);
     };
     if (const std::optional<Backend> openGl = test::openGl())
     {

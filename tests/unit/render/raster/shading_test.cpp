@@ -48,52 +48,6 @@ TEST(Shading, StripesAreTheMeanOverAPixelUntilTheyAreTooFine)
     }
 }
 
-/// Of the sky above a wall, weighed by how high it stands: what a sphere hides that touches the
-/// wall so far away. In small parts of the half sphere.
-double hiddenByTouching(double away)
-{
-    constexpr int kSteps = 700;
-    double hidden = 0;
-    for (int i = 0; i < kSteps; ++i)
-    {
-        const double sine = std::sqrt((i + 0.5) / kSteps); // from the normal; all weigh the same
-        for (int k = 0; k < kSteps; ++k)
-        {
-            const double around = 2 * M_PI * (k + 0.5) / kSteps;
-            const double ahead = away * sine * std::cos(around) + std::sqrt(1 - sine * sine);
-            hidden += ahead > 0 && away * away + 1 - ahead * ahead < 1 ? 1 : 0;
-        }
-    }
-    return hidden / (double{kSteps} * kSteps);
-}
-
-TEST(Shading, ASphereHidesTheSkyFromTheWallThatItTouches)
-{
-    for (const float away : {0.1F, 0.3F, 0.5F, 0.62F})
-    {
-        // Without the lamp, which shines on the other side.
-        const float dark = lanes::contactShadow(all(away), all(0), 1, 0, -1, 1)[0];
-        EXPECT_NEAR(dark / shading::kContact, hiddenByTouching(double{away}), 0.003) << away;
-    }
-    EXPECT_FLOAT_EQ(lanes::contactShadow(all(0.8F), all(0.7F), 1, 0.9F, 0.4F, 1)[5], 0)
-        << "beyond the rim";
-    EXPECT_FLOAT_EQ(lanes::contactShadow(all(0.3F), all(0.1F), 1, 0.9F, 0.4F, 0.5F)[0],
-                    lanes::contactShadow(all(0.3F), all(0.1F), 1, 0.9F, 0.4F, 1)[0] / 2);
-}
-
-TEST(Shading, TheShadowOnAWallLiesAwayFromALowLamp)
-{
-    const auto at = [](float across, float along)
-    { return lanes::contactShadow(all(across), all(along), 1, 0.94F, 0.34F, 1)[0]; };
-    for (const float away : {0.3F, 0.6F, 0.8F})
-    {
-        EXPECT_GT(at(away, 0), 1.05F * at(-away, 0));
-        EXPECT_GE(at(away, 0), at(0, away));
-        EXPECT_GE(at(0, away), at(-away, 0));
-        EXPECT_FLOAT_EQ(at(0, away), at(0, -away));
-    }
-}
-
 TEST(Shading, ARayMeetsWhatACutLeaves)
 {
     Numbers numbers;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Very many spheres are drawn by cells: the same picture as one by one.
-#include "render/picture/sphere_cells.hpp"
-
+#include "render/picture/sphere_draw_list.hpp"
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 

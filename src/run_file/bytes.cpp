@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run_file/streams.hpp"
+#include "run_file/bytes.hpp"
 
 #include <utility>
 #include <vector>
