@@ -160,12 +160,6 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     {
         run.numbers.push_back(reader.frames()[index]);
     }
-    if (request.format == ExportFormat::npz)
-    {
-        // Arrays of all frames are as long as the last one, which all frames have to be unpacked
-        // for.
-        run.spheres = reader.seek(chosen.back()).states.size();
-    }
     run.hasShell = request.shell;
     if (request.shell &&
         (request.format == ExportFormat::glb || request.format == ExportFormat::glbInstanced))

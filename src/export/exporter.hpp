@@ -29,7 +29,6 @@ struct ExportedRun
     std::uint32_t groupsPerSet = 1;        ///< groups that appear together
     int up = 1;                            ///< axis of the mesh that points up
     std::vector<std::size_t> numbers = {}; ///< of the frames that are exported, ascending
-    std::size_t spheres = 0;               ///< in the last of them; for npz alone
     bool hasShell = true;                  ///< for glTF alone
     SimplifiedShell shell = {};            ///< of the mesh; for glTF alone, if it has one
     Scene scene = {};                      ///< as far as the head of the file tells it
@@ -95,14 +94,12 @@ MakeExporter makeXyzExporter;
 MakeExporter makeGlbExporter;
 MakeExporter makeGlbInstancedExporter;
 MakeExporter makeCsvExporter;
-MakeExporter makeNpzExporter;
 MakeExporter makeLiggghtsExporter;
 MakeExporter makeLammpsExporter;
 MakeExporter makeYadeExporter;
 MakeExporter makeMercuryDpmExporter;
 MakeExporter makeMfixExporter;
 MakeExporter makeLetheExporter;
-MakeExporter makeOpenMcExporter;
 
 /// The exporter of a format.
 [[nodiscard]] std::unique_ptr<Exporter> makeExporter(ExportFormat format, const ExportedRun& run,

@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 9> kOptions = {"measure", "full-mesh", "n
                                                       "ascii",   "cell",      "voxels"};
 constexpr std::string_view kOfGltf = "measure full-mesh no-shell";
 
-constexpr std::array<FormatEntry, 19> kEntries = {{
+constexpr std::array<FormatEntry, 17> kEntries = {{
     {{ExportFormat::vtp, "vtp", "all", "spheres and mesh for ParaView and VTK; open run.pvd"},
      makeVtpExporter,
      {"run.pvd", ".vtp"},
@@ -69,10 +69,6 @@ constexpr std::array<FormatEntry, 19> kEntries = {{
      makeCsvExporter,
      {".csv"},
      "measure"},
-    {{ExportFormat::npz, "npz", "all", "NumPy arrays of all frames in one file"},
-     makeNpzExporter,
-     {"run.npz"},
-     "measure"},
     {{ExportFormat::liggghts, "liggghts", "last", "an input script of LIGGGHTS with its files"},
      makeLiggghtsExporter,
      {"liggghts.in", "liggghts.data", "liggghts_walls.stl"},
@@ -94,9 +90,6 @@ constexpr std::array<FormatEntry, 19> kEntries = {{
     {{ExportFormat::lethe, "lethe", "last", "the packing for the insertion method file of Lethe"},
      makeLetheExporter,
      {"particles.input"}},
-    {{ExportFormat::openmc, "openmc", "last", "a Python module that makes a lattice for OpenMC"},
-     makeOpenMcExporter,
-     {"openmc_packing.py", "openmc_packing.txt"}},
     {{ExportFormat::stlBed, "stl-bed", "last", "one closed surface of spheres and container"},
      makeBedExporter<ExportFormat::stlBed>,
      {"bed.stl", "bed.stl.json"},
@@ -127,9 +120,11 @@ constexpr std::array<FormatEntry, 19> kEntries = {{
 }};
 
 /// Names of formats that there were, and what says the same.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kFormer = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kFormer = {
     {{"lammps-data", "lammps, whose lammps.data is for read_data"},
-     {"ply", "csv, or vtp and npz for binary files"},
+     {"npz", "csv, or frostfill.load in Python, which has each frame as arrays"},
+     {"openmc", "csv, whose spheres openmc.model.TRISO takes"},
+     {"ply", "csv, or vtp for binary files"},
      {"gmsh-bed", "gmsh"}}};
 
 constexpr auto kFormats = []
