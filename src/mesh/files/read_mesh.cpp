@@ -71,6 +71,9 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
         return readVtk(bytes);
     case FileKind::vtp:
         return readVtp(bytes);
+    case FileKind::vrml:
+        return readScene(std::filesystem::path(file).replace_extension("x3d"), x3dOfVrml(bytes),
+                         "x3d");
     default:
         break;
     }

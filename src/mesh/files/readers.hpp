@@ -6,6 +6,7 @@
 
 #include <frostfill/mesh.hpp>
 
+#include <string>
 #include <string_view>
 
 namespace frostfill
@@ -36,5 +37,8 @@ namespace frostfill
 /// `bytes` are the file's content.
 [[nodiscard]] TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes,
                                      std::string_view ending);
+
+/// What VRML 97 shows, as X3D.
+[[nodiscard]] std::string x3dOfVrml(std::string_view text);
 
 } // namespace frostfill
