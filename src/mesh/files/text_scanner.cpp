@@ -95,7 +95,7 @@ std::string quoted(std::string_view word)
     std::string text(word.substr(0, kLongestQuote));
     for (char& c : text)
     {
-        c = c < ' ' || c == '\x7f' ? '?' : c; // also all that is no ASCII
+        c = c >= ' ' && c <= '~' ? c : '?'; // whether or not char has a sign
     }
     return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
 }
