@@ -34,6 +34,7 @@ struct ExportedRun
     Scene scene = {};                      ///< as far as the head of the file tells it
     BedSettings bed = {};                  ///< for geometry alone
     std::size_t lids = 0;                  ///< the last triangles of the mesh, which are no walls
+    std::vector<MeshPatch> patches = {};   ///< its first triangles, as far as they have names
 };
 
 /// A frame as it is exported.
@@ -81,9 +82,11 @@ protected:
     std::vector<std::filesystem::path> files_;
 };
 
-/// Names of the files that an exporter of this format writes for these frames.
-[[nodiscard]] std::vector<std::string> exportFiles(ExportFormat format,
-                                                   const std::vector<std::size_t>& numbers);
+/// All triangles of the mesh that are walls: those that have names, and what is left.
+[[nodiscard]] std::vector<MeshPatch> wallsOf(const ExportedRun& run);
+
+/// Names of the files that an exporter of this format writes.
+[[nodiscard]] std::vector<std::string> exportFiles(ExportFormat format, const ExportedRun& run);
 
 // The makers, each in a file of its own. `run` outlives the exporter.
 using MakeExporter = std::unique_ptr<Exporter>(const ExportedRun& run,
