@@ -75,14 +75,14 @@ std::vector<PatchKind> kindsByEnds(const TriangleMesh& mesh, const Eigen::Vector
 
 /// Of each triangle. A part called inlet or outlet is that, wherever it is. One of which all is of
 /// one kind gives its name to it; of one that has ends and walls, the ends have names of their own.
-std::vector<BedPatch> patchesOf(const Container& container, const Eigen::Vector3d& up)
+std::vector<BedPatch> patchesOf(const BedContainer& container, const Eigen::Vector3d& up)
 {
     std::vector<PatchKind> kinds = kindsByEnds(container.mesh, up);
     std::vector<std::string> names(kinds.size());
     for (std::size_t t = 0; t < container.partOf.size(); ++t)
     {
         const std::uint32_t part = container.partOf[t];
-        names[t] = part == Container::kNoPart ? "" : container.parts[part];
+        names[t] = part == BedContainer::kNoPart ? "" : container.parts[part];
     }
     for (const PatchKind end : {PatchKind::inlet, PatchKind::outlet})
     {
@@ -180,7 +180,7 @@ void checkBedSettings(const BedSettings& settings)
     }
 }
 
-Bed::Bed(const Container& container, std::vector<Eigen::Vector3d> centres,
+Bed::Bed(const BedContainer& container, std::vector<Eigen::Vector3d> centres,
          std::vector<double> radii, const Eigen::Vector3d& up, const BedSettings& settings,
          double unitsPerMetre)
     : settings_(settings), threads_(std::make_unique<Threads>(settings.threads)),

@@ -42,7 +42,7 @@ struct BedPatch
 };
 
 /// A closed mesh, wound outwards, which may have been read in parts.
-struct Container
+struct BedContainer
 {
     static constexpr std::uint32_t kNoPart = 0xFFFFFFFF;
 
@@ -56,8 +56,9 @@ class Bed
 {
 public:
     /// `up` is a unit vector, from foot to top. Throws Error badData where there is no sphere.
-    Bed(const Container& container, std::vector<Eigen::Vector3d> centres, std::vector<double> radii,
-        const Eigen::Vector3d& up, const BedSettings& settings, double unitsPerMetre = 1);
+    Bed(const BedContainer& container, std::vector<Eigen::Vector3d> centres,
+        std::vector<double> radii, const Eigen::Vector3d& up, const BedSettings& settings,
+        double unitsPerMetre = 1);
 
     [[nodiscard]] const BedSettings& settings() const { return settings_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return surface_.mesh(); }

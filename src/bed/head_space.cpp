@@ -114,8 +114,9 @@ TriangleMesh cutBelow(const TriangleMesh& mesh, const Eigen::Vector3d& up, doubl
     return !crossings.empty() && putLids(rest, up) ? rest : TriangleMesh();
 }
 
-Container withoutHeadSpace(Container container, const Eigen::Vector3d& up,
-                           std::span<const Eigen::Vector3d> centres, std::span<const double> radii)
+BedContainer withoutHeadSpace(BedContainer container, const Eigen::Vector3d& up,
+                              std::span<const Eigen::Vector3d> centres,
+                              std::span<const double> radii)
 {
     const double diameter = 2 * std::accumulate(radii.begin(), radii.end(), 0.0) /
                             static_cast<double>(std::max<std::size_t>(radii.size(), 1));
@@ -135,7 +136,7 @@ Container withoutHeadSpace(Container container, const Eigen::Vector3d& up,
         TriangleMesh rest = cutBelow(container.mesh, up, bed + diameter, origins);
         if (!rest.triangles.empty())
         {
-            std::vector<std::uint32_t> partOf(rest.triangles.size(), Container::kNoPart);
+            std::vector<std::uint32_t> partOf(rest.triangles.size(), BedContainer::kNoPart);
             for (std::size_t t = 0; t < origins.size() && !container.partOf.empty(); ++t)
             {
                 partOf[t] = container.partOf[origins[t]];

@@ -18,8 +18,8 @@ namespace frostfill
 
 /// A container without the empty space above its spheres, which flow needs no cells for: it ends a
 /// mean diameter above them. The container itself where that would take less than another one.
-[[nodiscard]] Container withoutHeadSpace(Container container, const Eigen::Vector3d& up,
-                                         std::span<const Eigen::Vector3d> centres,
-                                         std::span<const double> radii);
+[[nodiscard]] BedContainer withoutHeadSpace(BedContainer container, const Eigen::Vector3d& up,
+                                            std::span<const Eigen::Vector3d> centres,
+                                            std::span<const double> radii);
 
 } // namespace frostfill

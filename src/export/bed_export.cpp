@@ -37,14 +37,14 @@ public:
         {
             throw Error(ErrorCode::badData, "the frame has no sphere yet");
         }
-        Container container{run_.mesh};
+        BedContainer container{run_.mesh};
         for (const MeshPatch& patch : run_.patches)
         {
             container.partOf.resize(container.partOf.size() + patch.triangles,
                                     static_cast<std::uint32_t>(container.parts.size()));
             container.parts.push_back(patch.name);
         }
-        container.partOf.resize(run_.mesh.triangles.size(), Container::kNoPart);
+        container.partOf.resize(run_.mesh.triangles.size(), BedContainer::kNoPart);
         for (Eigen::Vector3d& vertex : container.mesh.vertices)
         {
             vertex = frame.inWorld(vertex);

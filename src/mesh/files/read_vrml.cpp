@@ -17,13 +17,13 @@ namespace frostfill
 namespace
 {
 
-constexpr std::array<std::string_view, 11> kShown = {
+constexpr std::array<std::string_view, 11> kShownNodes = {
     "Transform", "Group", "Anchor", "Billboard",      "Collision", "LOD",
     "Switch",    "Shape", "Box",    "IndexedFaceSet", "Coordinate"};
-constexpr std::array<std::string_view, 8> kRefused = {
+constexpr std::array<std::string_view, 8> kUnreadNodes = {
     "Sphere", "Cylinder", "Cone", "Extrusion", "ElevationGrid", "Inline", "PROTO", "EXTERNPROTO"};
 /// What is in a node is copied into its parent.
-constexpr std::size_t kDeepest = 500;
+constexpr std::size_t kDeepestNode = 500;
 
 bool isOneOf(std::span<const std::string_view> words, std::string_view word)
 {
@@ -32,10 +32,10 @@ bool isOneOf(std::span<const std::string_view> words, std::string_view word)
 
 struct VrmlNode
 {
-    std::string_view type; ///< empty: it is left out
-    std::string_view name;
-    std::map<std::string_view, std::string> fields;
-    std::string children;
+    std::string_view type = {}; ///< empty: it is left out
+    std::string_view name = {};
+    std::map<std::string_view, std::string> fields = {};
+    std::string children = {};
 };
 
 class VrmlText
@@ -83,10 +83,10 @@ private:
         VrmlNode& here = open_.back();
         if (word == "{")
         {
-            const bool isShown = !here.type.empty() && isOneOf(kShown, before) &&
+            const bool isShown = !here.type.empty() && isOneOf(kShownNodes, before) &&
                                  (here.type != "LOD" || here.children.empty()); // the finest
             open_.push_back({.type = isShown ? before : "", .name = std::exchange(name_, "")});
-            if (open_.size() > kDeepest)
+            if (open_.size() > kDeepestNode)
             {
                 refuse("its nodes are nested too deep");
             }
@@ -103,7 +103,7 @@ private:
         {
             use(next());
         }
-        else if (isOneOf(kRefused, word))
+        else if (isOneOf(kUnreadNodes, word))
         {
             refuseAt(scanner_.place(),
                      fmt::format("it has {}, and of VRML only IndexedFaceSet and "
@@ -161,7 +161,7 @@ private:
         field_ = "";
         const bool isEmpty =
             node.children.empty() && node.type != "Box" && node.type != "Coordinate";
-        const bool isGroup = isOneOf(std::span(kShown).subspan(2, 4), node.type);
+        const bool isGroup = isOneOf(std::span(kShownNodes).subspan(2, 4), node.type);
         node.type = isEmpty ? "" : isGroup ? "Group" : node.type;
         if (!node.type.empty())
         {

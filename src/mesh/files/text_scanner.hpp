@@ -23,9 +23,9 @@ class TextScanner
 public:
     struct Rules
     {
-        char comment = '\0';    ///< in place of a word: leaves the rest of the line; 0: none does
-        char blank = ' ';       ///< that parts words, beside space and tab
-        std::string_view marks; ///< each a word by itself
+        char comment = '\0'; ///< in place of a word: leaves the rest of the line; 0: none does
+        char blank = ' ';    ///< that parts words, beside space and tab
+        std::string_view marks = {}; ///< each a word by itself
         bool continues = false; ///< a backslash at the end of a line joins it with the next one
     };
 

@@ -67,7 +67,7 @@ TEST(HeadSpace, EndsADiameterAboveTheSpheresAndIsKeptWhereItIsNoMore)
 
 TEST(HeadSpace, LeavesThePartsThatAreBelowAndNoneToTheNewTop)
 {
-    Container container{builtInMesh("box:2,4,2"), {"low", "high", "side"}};
+    BedContainer container{builtInMesh("box:2,4,2"), {"low", "high", "side"}};
     for (std::size_t t = 0; t < container.mesh.triangles.size(); ++t)
     {
         double sum = 0;
@@ -79,14 +79,14 @@ TEST(HeadSpace, LeavesThePartsThatAreBelowAndNoneToTheNewTop)
     }
     const std::vector<Eigen::Vector3d> centres = {{0, 0.5, 0}};
     const std::vector<double> radii = {0.5};
-    const Container rest = withoutHeadSpace(container, Eigen::Vector3d::UnitY(), centres, radii);
+    const BedContainer rest = withoutHeadSpace(container, Eigen::Vector3d::UnitY(), centres, radii);
     ASSERT_EQ(rest.partOf.size(), rest.mesh.triangles.size());
     const auto count = [&](std::uint32_t part)
     { return std::count(rest.partOf.begin(), rest.partOf.end(), part); };
     EXPECT_EQ(count(0), 2);
     EXPECT_EQ(count(1), 0);
     EXPECT_GE(count(2), 8);
-    EXPECT_EQ(count(Container::kNoPart), 6); // the rim has eight edges
+    EXPECT_EQ(count(BedContainer::kNoPart), 6); // the rim has eight edges
 }
 
 } // namespace

@@ -177,7 +177,7 @@ TEST(BedSurface, HasTheSamePartsForAnyNumberOfThreads)
 }
 
 /// Names of the patches of a bed, each with its kind and its number of triangles.
-std::string patchesOf(const Container& container)
+std::string patchesOf(const BedContainer& container)
 {
     const Bed bed(container, {{1, 0, 0}}, {0.2}, Eigen::Vector3d::UnitY(), {});
     const BedSurface surface(bed);
@@ -212,7 +212,7 @@ TEST(BedSurface, HasThePatchesOfItsParts)
     };
     const auto partsOf = [&](std::array<std::uint32_t, 4> part, std::vector<std::string> names)
     {
-        Container container{box, std::move(names)};
+        BedContainer container{box, std::move(names)};
         for (const auto& triangle : box.triangles)
         {
             Eigen::AlignedBox3d around;
@@ -227,7 +227,7 @@ TEST(BedSurface, HasThePatchesOfItsParts)
         }
         return patchesOf(container);
     };
-    constexpr std::uint32_t kNo = Container::kNoPart;
+    constexpr std::uint32_t kNo = BedContainer::kNoPart;
     EXPECT_EQ(partsOf({0, 1, 2, 2}, {"sieve", "lid", "glass"}),
               "sieve:inlet:8 lid:outlet:8 glass:wall:32 ");
     // Of what is more than an end, and of lids, the ends have names of their own.

@@ -13,27 +13,27 @@ namespace
 {
 
 /// A box of edge 1 from the origin.
-const std::string kPoints =
+const std::string kVrmlPoints =
     "Coordinate { point [ 0 0 0, 1 0 0 0 1 0,1 1 0 0 0 1 1 0 1 0 1 1 1 1 1 ] }";
-const std::string kFaces =
+const std::string kVrmlFaces =
     "coordIndex [0,2,3,1,-1 4 5 7 6 -1,0 1 5 4 -1 2 6 7 3 -1 0 4 6 2 -1 1 3 7 5]";
-const std::string kBox = "Shape { appearance Appearance { material Material { } } "
-                         "geometry IndexedFaceSet { solid FALSE coord " +
-                         kPoints + " " + kFaces + " } }";
+const std::string kVrmlBox = "Shape { appearance Appearance { material Material { } } "
+                             "geometry IndexedFaceSet { solid FALSE coord " +
+                             kVrmlPoints + " " + kVrmlFaces + " } }";
 
 std::string vrml(const std::string& scene)
 {
     return "#VRML V2.0 utf8\n" + scene;
 }
 
-Eigen::AlignedBox3d boxOf(const std::string& scene)
+Eigen::AlignedBox3d boxOfVrml(const std::string& scene)
 {
     return boundingBox(test::parse(vrml(scene), "a.wrl"));
 }
 
 void expectBox(const std::string& scene, const Eigen::Vector3d& low, const Eigen::Vector3d& high)
 {
-    const Eigen::AlignedBox3d box = boxOf(scene);
+    const Eigen::AlignedBox3d box = boxOfVrml(scene);
     EXPECT_LT((box.min() - low).norm() + (box.max() - high).norm(), 1e-5)
         << scene << ": " << box.min().transpose() << " to " << box.max().transpose();
 }
@@ -43,7 +43,7 @@ TEST(ReadVrml, ReadsPolygonsWhateverStandsBetweenThem)
     const std::string text = vrml("# a comment { [ \n"
                                   "WorldInfo { title \"a } \\\" # { text\" info [\"x\", \"}\"] }\n"
                                   "NavigationInfo{type[\"ANY\"]headlight TRUE}\r\n" +
-                                  kBox + "\nROUTE a.b TO c.d");
+                                  kVrmlBox + "\nROUTE a.b TO c.d");
     for (const char* name : {"box.wrl", "box.stl", "box"})
     {
         const LoadedMesh box = repairMesh(test::parse(text, name), name);
@@ -55,31 +55,32 @@ TEST(ReadVrml, ReadsPolygonsWhateverStandsBetweenThem)
 
 TEST(ReadVrml, PlacesNodesByTheirTransforms)
 {
-    expectBox("Transform { translation 5 0 0 scale 2 1 1 children [ " + kBox + " ] }", {5, 0, 0},
-              {7, 1, 1});
+    expectBox("Transform { translation 5 0 0 scale 2 1 1 children [ " + kVrmlBox + " ] }",
+              {5, 0, 0}, {7, 1, 1});
     // Fields may follow the children.
-    expectBox("Transform { children " + kBox + " rotation 0 0 1 1.5707963 center 1,1,1 }",
+    expectBox("Transform { children " + kVrmlBox + " rotation 0 0 1 1.5707963 center 1,1,1 }",
               {1, 0, 0}, {2, 1, 1});
-    expectBox("Transform { scaleOrientation 0 0 1 1.5707963 scale 3 1 1 children [" + kBox + "] }",
+    expectBox("Transform { scaleOrientation 0 0 1 1.5707963 scale 3 1 1 children [" + kVrmlBox +
+                  "] }",
               {0, 0, 0}, {1, 3, 1});
     expectBox("Transform { translation 0 2 0 children Group { children Transform { scale 1 1 4 "
               "children [" +
-                  kBox + "] } } }",
+                  kVrmlBox + "] } } }",
               {0, 2, 0}, {1, 3, 4});
     // What lies beside a group of nothing stays in its own group.
-    expectBox("Transform { translation 10 0 0 children [ Transform { scale 2 2 2 } " + kBox +
+    expectBox("Transform { translation 10 0 0 children [ Transform { scale 2 2 2 } " + kVrmlBox +
                   " ] }",
               {10, 0, 0}, {11, 1, 1});
 }
 
 TEST(ReadVrml, RepeatsWhatHasAName)
 {
-    const std::string named = "DEF box-1 " + kBox;
+    const std::string named = "DEF box-1 " + kVrmlBox;
     expectBox(named + " Transform { translation 3 0 0 children USE box-1 }", {0, 0, 0}, {4, 1, 1});
-    expectBox("Shape { geometry IndexedFaceSet { coord DEF c " + kPoints + kFaces +
+    expectBox("Shape { geometry IndexedFaceSet { coord DEF c " + kVrmlPoints + kVrmlFaces +
                   " } } Transform { translation 0 0 7 children Shape { geometry IndexedFaceSet { "
                   "coord USE c " +
-                  kFaces + " } } }",
+                  kVrmlFaces + " } } }",
               {0, 0, 0}, {1, 1, 8});
     test::expectUnreadable(vrml("Group { children USE nothing }"), "a.wrl",
                            "line 2: USE names a node that is not there");
@@ -87,9 +88,9 @@ TEST(ReadVrml, RepeatsWhatHasAName)
 
 TEST(ReadVrml, TakesTheFinestLevelAndWhatIsChosen)
 {
-    const std::string far = "Transform { translation 9 0 0 children " + kBox + " }";
-    expectBox("LOD { range [10] level [ " + kBox + far + " ] }", {0, 0, 0}, {1, 1, 1});
-    expectBox("Switch { whichChoice 1 choice [ " + kBox + far + " ] }", {9, 0, 0}, {10, 1, 1});
+    const std::string far = "Transform { translation 9 0 0 children " + kVrmlBox + " }";
+    expectBox("LOD { range [10] level [ " + kVrmlBox + far + " ] }", {0, 0, 0}, {1, 1, 1});
+    expectBox("Switch { whichChoice 1 choice [ " + kVrmlBox + far + " ] }", {9, 0, 0}, {10, 1, 1});
     expectBox("Anchor { children Shape { geometry Box { size 2 4 6 } } }", {-1, -2, -3}, {1, 2, 3});
 }
 
@@ -103,10 +104,10 @@ TEST(ReadVrml, RefusesWhatItCannotRead)
                 "of VRML only IndexedFaceSet and Box");
     }
     refuses("PROTO p [] { }", "it has PROTO");
-    refuses(kBox + "}", "a '}' closes nothing");
+    refuses(kVrmlBox + "}", "a '}' closes nothing");
     refuses("Group { children [ ", "the file ends within a node");
-    refuses("Transform { scale 1 x2 3 children " + kBox + " }", "scale");
-    refuses("Transform { scale 1 2x 3 children " + kBox + " }", "'2x' is not a number");
+    refuses("Transform { scale 1 x2 3 children " + kVrmlBox + " }", "scale");
+    refuses("Transform { scale 1 2x 3 children " + kVrmlBox + " }", "'2x' is not a number");
     refuses("Group { }", "");
     std::string deep;
     for (int k = 0; k < 100000; ++k)
@@ -119,7 +120,7 @@ TEST(ReadVrml, RefusesWhatItCannotRead)
 
 TEST(ReadVrml, DoesNotRepeatWithoutEnd)
 {
-    std::string scene = "DEF n0 Group { children " + kBox + " }";
+    std::string scene = "DEF n0 Group { children " + kVrmlBox + " }";
     for (int k = 1; k < 60; ++k)
     {
         scene += fmt::format("DEF n{} Group {{ children [ USE n{} USE n{} ] }}", k, k - 1, k - 1);
