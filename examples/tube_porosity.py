@@ -6,11 +6,10 @@
 # were fitted to measured beds: those of [Mueller 1992] and of [de Klerk 2003], and for the whole cross section that
 # of [Benyahia & O'Neill 2005]. This packs a tube of ten diameters and compares. As a program, it writes its files
 # into the folder that is given, and packs a tube of as many diameters as you say behind it:
-# `scripts/python examples/tube_porosity.py tube 10`. gnuplot draws the figure where it is installed.
+# `scripts/python examples/tube_porosity.py tube 10`. matplotlib draws the figure where it is installed.
 
 # %%
-import shutil
-import subprocess
+import importlib.util
 import sys
 from pathlib import Path
 
@@ -112,13 +111,14 @@ print(f"mean difference: de Klerk {apart(de_klerk):.3f}, Mueller {apart(mueller)
 
 # %%
 np.savetxt(folder / "tube.txt", np.stack([z, found, de_klerk, mueller], 1), header="z found de_klerk mueller")
-PLOT = """set terminal pngcairo size 800,500
-set output 'tube.png'
-set xlabel 'distance from the wall [diameters]'
-set ylabel 'porosity'
-set yrange [0:1]
-plot 'tube.txt' using 1:2 with lines lw 3 title 'Frostfill', '' using 1:3 with lines lw 2 dt 2 title 'de Klerk 2003', \
-     '' using 1:4 with lines lw 2 dt 3 title 'Mueller 1992'
-"""
-if shutil.which("gnuplot"):
-    subprocess.run(["gnuplot"], input=PLOT, text=True, cwd=folder, check=True)
+if importlib.util.find_spec("matplotlib"):
+    import matplotlib
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    figure, plot = plt.subplots()
+    for values, style, name in ((found, "-", "Frostfill"), (de_klerk, "--", "de Klerk 2003"), (mueller, ":", "Mueller 1992")):
+        plot.plot(z, values, style, label=name)
+    plot.set(xlabel="distance from the wall [diameters]", ylabel="porosity", ylim=(0, 1))
+    plot.legend()
+    figure.savefig(folder / "tube.png")

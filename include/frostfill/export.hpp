@@ -26,7 +26,6 @@ enum class ExportFormat
     glb,          ///< glTF 2.0 with an animation; each sphere is a node: Blender, F3D
     glbInstanced, ///< the packing as glTF 2.0 with EXT_mesh_gpu_instancing: three.js, Babylon.js
     csv,          ///< a text table of spheres a frame, states as numbers
-    npz,          ///< NumPy arrays of all frames
     // Inputs of other programs, which go on from the packing. Friction, restitution and gravity are
     // those of the run.
     liggghts,   ///< an input script of LIGGGHTS, a data file, and the walls as STL
@@ -35,7 +34,6 @@ enum class ExportFormat
     mercuryDpm, ///< a data file of MercuryDPM (format 14)
     mfix,       ///< particle_input.dat of MFiX, version 2.0
     lethe,      ///< a list of particles that Lethe inserts
-    openmc,     ///< a Python module that makes a lattice of spheres for OpenMC
     // Geometry of one frame; see BedSettings.
     stlBed,   ///< one closed surface of spheres and container
     openFoam, ///< a case of OpenFOAM

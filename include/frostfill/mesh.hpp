@@ -25,6 +25,13 @@ struct TriangleMesh
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< [#T] indices into vertices
 };
 
+/// Triangles of a mesh that have a name: a file's, or that of a solid of a text STL.
+struct MeshPatch
+{
+    std::string name;
+    std::size_t triangles = 0;
+};
+
 /// The result of an inspection. Counts are exact. A mesh can be filled if closed() holds and the
 /// interior, the points with a winding number above 1/2, has a volume. It may cross itself.
 struct MeshReport
@@ -64,6 +71,9 @@ struct LoadedMesh
     /// One sentence each, what the reader had to overlook first; empty if the file was clean.
     std::vector<std::string> repairs;
     std::size_t lidTriangles = 0; ///< of LoadMeshOptions::lid: the last triangles of `mesh`
+    /// Letters, digits and _ are their names, each of which comes once. They are the first
+    /// triangles of `mesh`, in this order; empty if it was not read in parts.
+    std::vector<MeshPatch> patches;
     /// [unit^2] Area of the largest lid along its normal, outwards; 0 without lids.
     Eigen::Vector3d opening = Eigen::Vector3d::Zero();
 };
@@ -113,16 +123,19 @@ struct LoadMeshOptions
 /// of the file's numbers and the order of its vertices and faces, cuts polygons into triangles,
 /// welds equal vertices, and changes nothing else. Opens no other file, except for a .bin file of a
 /// glTF in the same folder. What it had to overlook goes to the end of `remarks`, a sentence each.
+/// Several files, or the solids of a text STL, are told in `patches`, in the order of triangles.
 /// Throws Error inputMissing if the file does not exist, badData with the line or byte if it cannot
 /// be read.
 [[nodiscard]] TriangleMesh readMesh(const std::filesystem::path& file,
-                                    std::vector<std::string>* remarks = nullptr);
+                                    std::vector<std::string>* remarks = nullptr,
+                                    std::vector<MeshPatch>* patches = nullptr);
 
 /// readMesh in a child process. Its limits on memory, processor time and files grow with the file's
 /// size. A file on which the reader crashes, hangs or fills the memory is an Error badData. A
 /// process with several threads cannot be forked safely: there this is readMesh.
 [[nodiscard]] TriangleMesh readMeshSandboxed(const std::filesystem::path& file,
-                                             std::vector<std::string>* remarks = nullptr);
+                                             std::vector<std::string>* remarks = nullptr,
+                                             std::vector<MeshPatch>* patches = nullptr);
 
 /// Repairs a mesh for filling: joins seams and cracks, drops what encloses nothing (fins, sheets,
 /// small open pieces), turns windings outward (inward for cavities), closes holes of up to 5 % of

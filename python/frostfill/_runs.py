@@ -165,7 +165,7 @@ class Run(_frostfill.KeptRun):
         """Writes the run for other programs, and returns the files, the one to open first.
 
         Without a format, `path` is a file and its ending says what it is: .vtp, .xyz, .glb, .ply,
-        .csv, .npz, .vti, .dump or .data (LAMMPS). With one, such as "vtp", "openfoam", "npy" or
+        .csv, .vti, .dump or .data (LAMMPS). With one, such as "vtp", "openfoam", "npy" or
         "liggghts", it is a folder. frames: "last", "all" or numbers and ranges such as
         "0..100:10". The other keywords are the options of `frostfill export`; a format refuses
         those that it does not take.
@@ -210,7 +210,7 @@ class Run(_frostfill.KeptRun):
 
 
 # Formats that are one file of spheres, by its ending.
-_ENDINGS = {"vtp": "vtp", "xyz": "xyz", "glb": "glb", "csv": "csv", "npz": "npz",
+_ENDINGS = {"vtp": "vtp", "xyz": "xyz", "glb": "glb", "csv": "csv",
             "vti": "vti", "dump": "lammps-dump"}
 
 

@@ -170,17 +170,14 @@ int analyse(const AnalyseArguments& arguments)
     {
         refuseToReplaceAnalysis(folder, "give --overwrite, or another --out");
     }
-    if (arguments.figures)
-    {
-        requireGnuplot();
-    }
+    const std::string python = arguments.figures ? findMatplotlib() : "";
     const PackingWalls walls = wallsOf(packing, arguments.place, scene.object.load);
     settings.bounds = walls.bounds;
     const PackingAnalysis analysis = analysePacking(walls.mesh, packing, settings);
     const std::vector<std::string> names = writeAnalysis(analysis, folder);
     if (arguments.figures)
     {
-        drawAnalysis(folder, names);
+        drawAnalysis(python, folder, names);
     }
     if (arguments.json)
     {
@@ -260,7 +257,7 @@ Command addAnalyseCommand(CLI::App& program)
                      "Folder of the tables (analysis, in the run, or output/analysis-NAME)")
         ->type_name("DIR");
     command->add_flag("--figures", arguments->figures,
-                      "Draw a figure of each analysis with gnuplot");
+                      "Draw a figure of each analysis with matplotlib");
     command->add_flag("--json", arguments->json, "Print summary.json");
     command->add_flag("--overwrite", arguments->overwrite, "Replace an earlier analysis");
     command->add_flag("--quiet", arguments->quiet, "Print nothing but errors");

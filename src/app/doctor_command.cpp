@@ -55,7 +55,7 @@ void printMachine()
 void printPrograms()
 {
     for (const auto& [program, package] :
-         {std::pair{"ffmpeg", "ffmpeg"}, {"gnuplot", "gnuplot-nox"}})
+         {std::pair{"ffmpeg", "ffmpeg"}, {"python3", "python3-matplotlib"}})
     {
         const std::string file = findProgram(program);
         if (file.empty())

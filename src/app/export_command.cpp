@@ -75,24 +75,6 @@ std::string exportFormatNames()
     return names;
 }
 
-std::vector<ExportRequest> exportRequests(const std::filesystem::path& run,
-                                          const std::vector<std::string>& formats,
-                                          const std::filesystem::path& out)
-{
-    std::error_code none;
-    const std::filesystem::path home =
-        std::filesystem::is_directory(run, none) ? run : run.parent_path();
-    std::vector<ExportRequest> requests;
-    for (const std::string& name : formats)
-    {
-        ExportRequest& request = requests.emplace_back();
-        request.run = run;
-        request.format = exportFormat(name).format;
-        request.out = out.empty() ? home / "export" : out;
-    }
-    return requests;
-}
-
 void exportFiles(const std::vector<ExportRequest>& requests, bool quiet)
 {
     for (const ExportRequest& request : requests)
@@ -128,10 +110,17 @@ int exportAll(const ExportArguments& arguments, const CLI::App& command)
         parseContacts(arguments.contacts, bed);
     }
     checkBedSettings(bed);
-    std::vector<ExportRequest> requests =
-        exportRequests(arguments.run, arguments.formats, arguments.out);
-    for (ExportRequest& request : requests)
+    const std::filesystem::path run = arguments.run;
+    std::error_code none;
+    const std::filesystem::path home =
+        std::filesystem::is_directory(run, none) ? run : run.parent_path();
+    std::vector<ExportRequest> requests;
+    for (const std::string& name : arguments.formats)
     {
+        ExportRequest& request = requests.emplace_back();
+        request.run = run;
+        request.format = exportFormat(name).format;
+        request.out = arguments.out.empty() ? (home / "export").string() : arguments.out;
         request.frames = arguments.frames;
         request.fullMesh = arguments.fullMesh;
         request.shell = !arguments.noShell;
@@ -208,11 +197,10 @@ Command addExportCommand(CLI::App& program)
     command->add_flag("--lids", arguments->lids,
                       "liggghts, lammps, yade: keep the lids of --lid among the walls");
     command
-        ->add_option(
-            "--measure", arguments->measured,
-            fmt::format("vtp, lammps-dump, xyz, glb, glb-instanced, csv, npz: columns that "
-                        "are found for spheres at rest, as by analyse: {}",
-                        fmt::join(measuredNames(), ", ")))
+        ->add_option("--measure", arguments->measured,
+                     fmt::format("vtp, lammps-dump, xyz, glb, glb-instanced, csv: columns that "
+                                 "are found for spheres at rest, as by analyse: {}",
+                                 fmt::join(measuredNames(), ", ")))
         ->delimiter(',')
         ->type_name("NAMES");
     addGeometryOptions(*command, *arguments);

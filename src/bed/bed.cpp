@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <set>
 #include <utility>
 
 namespace frostfill
@@ -44,7 +47,8 @@ TriangleMesh withoutDust(TriangleMesh mesh)
     return mesh;
 }
 
-std::vector<BedPatch> findPatches(const TriangleMesh& mesh, const Eigen::Vector3d& up)
+/// Of each triangle, by the flat ends of the mesh.
+std::vector<PatchKind> kindsByEnds(const TriangleMesh& mesh, const Eigen::Vector3d& up)
 {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -54,7 +58,7 @@ std::vector<BedPatch> findPatches(const TriangleMesh& mesh, const Eigen::Vector3
         high = std::max(high, up.dot(vertex));
     }
     const double margin = kAtEnd * (high - low);
-    std::vector<BedPatch> patches;
+    std::vector<PatchKind> kinds;
     for (const auto& triangle : mesh.triangles)
     {
         const Eigen::Vector3d& a = mesh.vertices[triangle[0]];
@@ -62,9 +66,45 @@ std::vector<BedPatch> findPatches(const TriangleMesh& mesh, const Eigen::Vector3
         const Eigen::Vector3d& c = mesh.vertices[triangle[2]];
         const double slope = (b - a).cross(c - a).normalized().dot(up);
         const double height = up.dot(a);
-        patches.push_back(slope < -kEndNormal && height < low + margin   ? BedPatch::inlet
-                          : slope > kEndNormal && height > high - margin ? BedPatch::outlet
-                                                                         : BedPatch::wall);
+        kinds.push_back(slope < -kEndNormal && height < low + margin   ? PatchKind::inlet
+                        : slope > kEndNormal && height > high - margin ? PatchKind::outlet
+                                                                       : PatchKind::wall);
+    }
+    return kinds;
+}
+
+/// Of each triangle. A part called inlet or outlet is that, wherever it is. One of which all is of
+/// one kind gives its name to it; of one that has ends and walls, the ends have names of their own.
+std::vector<BedPatch> patchesOf(const BedContainer& container, const Eigen::Vector3d& up)
+{
+    std::vector<PatchKind> kinds = kindsByEnds(container.mesh, up);
+    std::vector<std::string> names(kinds.size());
+    for (std::size_t t = 0; t < container.partOf.size(); ++t)
+    {
+        const std::uint32_t part = container.partOf[t];
+        names[t] = part == BedContainer::kNoPart ? "" : container.parts[part];
+    }
+    for (const PatchKind end : {PatchKind::inlet, PatchKind::outlet})
+    {
+        const std::string called = kPatchNames[static_cast<std::size_t>(end)];
+        const bool isNamed = std::find(names.begin(), names.end(), called) != names.end();
+        for (std::size_t t = 0; isNamed && t < kinds.size(); ++t)
+        {
+            kinds[t] = names[t] == called ? end : kinds[t] == end ? PatchKind::wall : kinds[t];
+        }
+    }
+    std::map<std::string, PatchKind> kindOf = {{"wall", PatchKind::wall}};
+    for (std::size_t t = 0; t < kinds.size(); ++t)
+    {
+        PatchKind& kind = kindOf.try_emplace(names[t], kinds[t]).first->second;
+        kind = kind == kinds[t] ? kind : PatchKind::wall;
+    }
+    std::vector<BedPatch> patches;
+    for (std::size_t t = 0; t < kinds.size(); ++t)
+    {
+        const bool hasName = !names[t].empty() && kindOf[names[t]] == kinds[t];
+        patches.push_back(
+            {kinds[t], hasName ? names[t] : kPatchNames[static_cast<std::size_t>(kinds[t])]});
     }
     return patches;
 }
@@ -140,23 +180,27 @@ void checkBedSettings(const BedSettings& settings)
     }
 }
 
-Bed::Bed(const TriangleMesh& mesh, std::vector<Eigen::Vector3d> centres, std::vector<double> radii,
-         const Eigen::Vector3d& up, const BedSettings& settings, double unitsPerMetre)
+Bed::Bed(const BedContainer& container, std::vector<Eigen::Vector3d> centres,
+         std::vector<double> radii, const Eigen::Vector3d& up, const BedSettings& settings,
+         double unitsPerMetre)
     : settings_(settings), threads_(std::make_unique<Threads>(settings.threads)),
-      centres_(std::move(centres)), radii_(std::move(radii)), up_(up), surface_(withoutDust(mesh)),
-      levels_(centres_, radii_), patches_(findPatches(mesh, up)), unitsPerMetre_(unitsPerMetre),
-      containerVolume_(inspectInterior(mesh).volume)
+      centres_(std::move(centres)), radii_(std::move(radii)), up_(up),
+      surface_(withoutDust(container.mesh)), levels_(centres_, radii_),
+      unitsPerMetre_(unitsPerMetre), containerVolume_(inspectInterior(container.mesh).volume)
 {
     for (const double radius : radii_)
     {
         meanDiameter_ += 2 * radius / static_cast<double>(radii_.size());
     }
-}
-
-bool Bed::has(BedPatch patch) const
-{
-    return patch == BedPatch::spheres ||
-           std::find(patches_.begin(), patches_.end(), patch) != patches_.end();
+    const std::vector<BedPatch> patches = patchesOf(container, up);
+    std::set<BedPatch> all(patches.begin(), patches.end());
+    all.insert({PatchKind::spheres, "spheres"});
+    patches_.assign(all.begin(), all.end());
+    for (const BedPatch& patch : patches)
+    {
+        patchOf_.push_back(static_cast<std::size_t>(
+            std::lower_bound(patches_.begin(), patches_.end(), patch) - patches_.begin()));
+    }
 }
 
 double Bed::porosity() const

@@ -22,24 +22,43 @@
 namespace frostfill
 {
 
-/// Parts of the surface, each a patch or a solid of its own.
-enum class BedPatch : std::uint8_t
+/// What flow does at a part of the surface.
+enum class PatchKind : std::uint8_t
 {
     inlet,  ///< the flat foot of the container, if it has one
     outlet, ///< its flat top
     wall,
     spheres,
 };
-inline constexpr std::array<const char*, 4> kBedPatches = {"inlet", "outlet", "wall", "spheres"};
+inline constexpr std::array<const char*, 4> kPatchNames = {"inlet", "outlet", "wall", "spheres"};
+
+/// Part of the surface, a patch of OpenFOAM or a solid of STL.
+struct BedPatch
+{
+    PatchKind kind = PatchKind::wall;
+    std::string name;
+
+    auto operator<=>(const BedPatch&) const = default;
+};
+
+/// A closed mesh, wound outwards, which may have been read in parts.
+struct BedContainer
+{
+    static constexpr std::uint32_t kNoPart = 0xFFFFFFFF;
+
+    TriangleMesh mesh;
+    std::vector<std::string> parts = {};    ///< their names; each comes once
+    std::vector<std::uint32_t> partOf = {}; ///< [#T] places in parts, or kNoPart; empty: none has
+};
 
 /// Spheres in a closed container, in the world.
 class Bed
 {
 public:
-    /// `mesh` is closed and wound outwards. `up` is a unit vector, from foot to top. Throws Error
-    /// badData where there is no sphere.
-    Bed(const TriangleMesh& mesh, std::vector<Eigen::Vector3d> centres, std::vector<double> radii,
-        const Eigen::Vector3d& up, const BedSettings& settings, double unitsPerMetre = 1);
+    /// `up` is a unit vector, from foot to top. Throws Error badData where there is no sphere.
+    Bed(const BedContainer& container, std::vector<Eigen::Vector3d> centres,
+        std::vector<double> radii, const Eigen::Vector3d& up, const BedSettings& settings,
+        double unitsPerMetre = 1);
 
     [[nodiscard]] const BedSettings& settings() const { return settings_; }
     [[nodiscard]] const TriangleMesh& mesh() const { return surface_.mesh(); }
@@ -59,8 +78,10 @@ public:
     }
     [[nodiscard]] double meanDiameter() const { return meanDiameter_; }
     [[nodiscard]] double unitsPerMetre() const { return unitsPerMetre_; }
-    [[nodiscard]] BedPatch patch(std::size_t triangle) const { return patches_[triangle]; }
-    [[nodiscard]] bool has(BedPatch patch) const;
+    /// All that have a triangle, by kind; that of the spheres comes last.
+    [[nodiscard]] const std::vector<BedPatch>& patches() const { return patches_; }
+    /// Place in patches() of a triangle of the mesh.
+    [[nodiscard]] std::size_t patch(std::size_t triangle) const { return patchOf_[triangle]; }
     [[nodiscard]] double containerVolume() const { return containerVolume_; }
     /// [1] without any treatment, of spheres that do not overlap.
     [[nodiscard]] double porosity() const;
@@ -73,7 +94,8 @@ private:
     Eigen::Vector3d up_;
     Surface surface_;
     SphereLevels levels_;
-    std::vector<BedPatch> patches_; ///< [#T]
+    std::vector<BedPatch> patches_;
+    std::vector<std::size_t> patchOf_; ///< [#T]
     double unitsPerMetre_;
     double meanDiameter_ = 0;
     double containerVolume_ = 0;

@@ -40,10 +40,10 @@ nlohmann::ordered_json surfaceSummary(const BedSurface& surface)
     summary["free_volume"] = surface.freeVolume();
     summary["flattened"] = surface.links().links.size();
     summary["triangles"] = surface.triangles();
-    for (std::size_t patch = 0; patch < kBedPatches.size(); ++patch)
+    const std::vector<BedPatch>& patches = surface.bed().patches();
+    for (std::size_t patch = 0; patch < patches.size(); ++patch)
     {
-        summary["triangles_of_patch"][kBedPatches[patch]] =
-            surface.triangles(static_cast<BedPatch>(patch));
+        summary["triangles_of_patch"][patches[patch].name] = surface.triangles(patch);
     }
     return summary;
 }

@@ -15,21 +15,22 @@ constexpr std::size_t kPartsAtOnce = 64;
 } // namespace
 
 BedSurface::BedSurface(const Bed& bed)
-    : bed_(bed), geodesic_(geodesicSphere(bed.settings().resolution)), links_(findLinks(bed))
+    : bed_(bed), geodesic_(geodesicSphere(bed.settings().resolution)), links_(findLinks(bed)),
+      walls_(bed.patches().size() - 1), counts_(bed.patches().size())
 {
     for (std::size_t t = 0; t < bed.mesh().triangles.size(); ++t)
     {
         const auto& [a, b, c] = bed.mesh().triangles[t];
         const std::vector<Eigen::Vector3d>& vertices = bed.mesh().vertices;
-        walls_[static_cast<std::size_t>(bed.patch(t))].push_back({inSinglePrecision(vertices[a]),
-                                                                  inSinglePrecision(vertices[b]),
-                                                                  inSinglePrecision(vertices[c])});
+        walls_[bed.patch(t)].push_back({inSinglePrecision(vertices[a]),
+                                        inSinglePrecision(vertices[b]),
+                                        inSinglePrecision(vertices[c])});
     }
     // The volume is summed about the middle, so that large coordinates take no digits.
     const Eigen::Vector3d middle = bed.surface().box().center();
-    for (std::size_t patch = 0; patch < kBedPatches.size(); ++patch)
+    for (std::size_t patch = 0; patch < counts_.size(); ++patch)
     {
-        forEachPart(static_cast<BedPatch>(patch),
+        forEachPart(patch,
                     [&](std::span<const StlTriangle> triangles)
                     {
                         counts_[patch] += triangles.size();
@@ -78,11 +79,11 @@ void BedSurface::addSphere(std::uint32_t sphere, std::vector<StlTriangle>& trian
     }
 }
 
-void BedSurface::forEachPart(BedPatch patch, const Sink& sink) const
+void BedSurface::forEachPart(std::size_t patch, const Sink& sink) const
 {
-    if (patch != BedPatch::spheres)
+    if (patch < walls_.size())
     {
-        sink(walls_[static_cast<std::size_t>(patch)]);
+        sink(walls_[patch]);
         return;
     }
     const std::size_t parts = (bed_.size() + kSpheresInPart - 1) / kSpheresInPart;

@@ -24,17 +24,14 @@ public:
 
     [[nodiscard]] const Bed& bed() const { return bed_; }
     [[nodiscard]] const BedLinks& links() const { return links_; }
-    /// Of a patch.
-    [[nodiscard]] std::size_t triangles(BedPatch patch) const
-    {
-        return counts_[static_cast<std::size_t>(patch)];
-    }
+    /// Of a patch of the bed.
+    [[nodiscard]] std::size_t triangles(std::size_t patch) const { return counts_[patch]; }
     [[nodiscard]] std::size_t triangles() const;
 
     /// Calls sink(triangles) for one part of a patch after another, in the same order for any
     /// number of threads. Parts are made in parallel.
     using Sink = std::function<void(std::span<const StlTriangle>)>;
-    void forEachPart(BedPatch patch, const Sink& sink) const;
+    void forEachPart(std::size_t patch, const Sink& sink) const;
 
     /// [unit^3] of the free space, by the divergence theorem.
     [[nodiscard]] double freeVolume() const { return freeVolume_; }
@@ -47,8 +44,8 @@ private:
     const Bed& bed_;
     TriangleMesh geodesic_;
     BedLinks links_;
-    std::array<std::vector<StlTriangle>, kBedPatches.size()> walls_;
-    std::array<std::size_t, kBedPatches.size()> counts_{};
+    std::vector<std::vector<StlTriangle>> walls_; ///< of all patches but the spheres
+    std::vector<std::size_t> counts_;
     double freeVolume_ = 0;
 };
 

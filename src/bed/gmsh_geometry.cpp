@@ -53,7 +53,7 @@ void putContainer(AtomicFile& file, const TriangleMesh& mesh)
 
 void putPatches(AtomicFile& file, const Bed& bed)
 {
-    for (const BedPatch patch : {BedPatch::inlet, BedPatch::outlet, BedPatch::wall})
+    for (std::size_t patch = 0; patch + 1 < bed.patches().size(); ++patch)
     {
         std::string list;
         for (std::size_t k = 0; k < bed.mesh().triangles.size(); ++k)
@@ -61,11 +61,8 @@ void putPatches(AtomicFile& file, const Bed& bed)
             list +=
                 bed.patch(k) == patch ? fmt::format("{}{}", list.empty() ? "" : ", ", k + 1) : "";
         }
-        if (!list.empty())
-        {
-            file.write(fmt::format("Physical Surface(\"{}\") = {{{}}};\n",
-                                   kBedPatches[static_cast<std::size_t>(patch)], list));
-        }
+        file.write(
+            fmt::format("Physical Surface(\"{}\") = {{{}}};\n", bed.patches()[patch].name, list));
     }
 }
 

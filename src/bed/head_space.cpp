@@ -61,7 +61,8 @@ std::vector<double> heightsAbove(const TriangleMesh& mesh, const Eigen::Vector3d
 
 } // namespace
 
-TriangleMesh cutBelow(const TriangleMesh& mesh, const Eigen::Vector3d& up, double height)
+TriangleMesh cutBelow(const TriangleMesh& mesh, const Eigen::Vector3d& up, double height,
+                      std::vector<std::size_t>& origins)
 {
     constexpr std::uint32_t kNone = 0xFFFFFFFF;
     const std::vector<double> above = heightsAbove(mesh, up, height);
@@ -85,8 +86,10 @@ TriangleMesh cutBelow(const TriangleMesh& mesh, const Eigen::Vector3d& up, doubl
         }
         return entry->second;
     };
-    for (const auto& triangle : mesh.triangles)
+    origins.clear();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
+        const auto& triangle = mesh.triangles[t];
         std::vector<std::uint32_t> corners;
         for (std::size_t k = 0; k < 3; ++k)
         {
@@ -105,12 +108,13 @@ TriangleMesh cutBelow(const TriangleMesh& mesh, const Eigen::Vector3d& up, doubl
         for (std::size_t k = 2; k < corners.size(); ++k)
         {
             rest.triangles.push_back({corners[0], corners[k - 1], corners[k]});
+            origins.push_back(t);
         }
     }
     return !crossings.empty() && putLids(rest, up) ? rest : TriangleMesh();
 }
 
-TriangleMesh withoutHeadSpace(TriangleMesh mesh, const Eigen::Vector3d& up,
+BedContainer withoutHeadSpace(BedContainer container, const Eigen::Vector3d& up,
                               std::span<const Eigen::Vector3d> centres,
                               std::span<const double> radii)
 {
@@ -122,16 +126,25 @@ TriangleMesh withoutHeadSpace(TriangleMesh mesh, const Eigen::Vector3d& up,
         bed = std::max(bed, up.dot(centres[k]) + radii[k]);
     }
     double top = bed;
-    for (const Eigen::Vector3d& vertex : mesh.vertices)
+    for (const Eigen::Vector3d& vertex : container.mesh.vertices)
     {
         top = std::max(top, up.dot(vertex));
     }
     if (top > bed + 2 * diameter)
     {
-        TriangleMesh rest = cutBelow(mesh, up, bed + diameter);
-        return rest.triangles.empty() ? mesh : rest;
+        std::vector<std::size_t> origins;
+        TriangleMesh rest = cutBelow(container.mesh, up, bed + diameter, origins);
+        if (!rest.triangles.empty())
+        {
+            std::vector<std::uint32_t> partOf(rest.triangles.size(), BedContainer::kNoPart);
+            for (std::size_t t = 0; t < origins.size() && !container.partOf.empty(); ++t)
+            {
+                partOf[t] = container.partOf[origins[t]];
+            }
+            return {std::move(rest), std::move(container.parts), std::move(partOf)};
+        }
     }
-    return mesh;
+    return container;
 }
 
 } // namespace frostfill

@@ -90,21 +90,14 @@ public:
         {
             createDirectory(folder_ / part);
         }
-        for (std::size_t k = 0; k < kBedPatches.size(); ++k)
-        {
-            if (bed.has(static_cast<BedPatch>(k)))
-            {
-                patches_.push_back(static_cast<BedPatch>(k));
-            }
-        }
     }
 
     void writeSurfaces(const BedSurface& surface, double cells)
     {
-        for (const BedPatch patch : patches_)
+        for (std::size_t k = 0; k < bed_.patches().size(); ++k)
         {
-            files_.push_back(folder_ / "constant/triSurface" / fmt::format("{}.stl", name(patch)));
-            writeStl(surface, {&patch, 1}, false, files_.back());
+            files_.push_back(folder_ / "constant/triSurface" / (bed_.patches()[k].name + ".stl"));
+            writeStl(surface, {&k, 1}, false, files_.back());
         }
         files_.push_back(folder_ / "bed.json");
         nlohmann::ordered_json summary = surfaceSummary(surface);
@@ -139,13 +132,12 @@ public:
     {
         std::string geometry;
         std::string surfaces;
-        for (const BedPatch patch : patches_)
+        for (const auto& [kind, name] : bed_.patches())
         {
-            geometry +=
-                fmt::format("    {0}.stl {{ type triSurfaceMesh; name {0}; }}\n", name(patch));
-            surfaces += fmt::format("        {} {{ level ({}); patchInfo {{ type {}; }} }}\n",
-                                    name(patch), patch == BedPatch::spheres ? "1 2" : "0 1",
-                                    isOpen(patch) ? "patch" : "wall");
+            geometry += fmt::format("    {0}.stl {{ type triSurfaceMesh; name {0}; }}\n", name);
+            surfaces += fmt::format("        {} {{ level ({}); patchInfo {{ type {}; }} }}\n", name,
+                                    kind == PatchKind::spheres ? "1 2" : "0 1",
+                                    kind < PatchKind::wall ? "patch" : "wall");
         }
         const FreeSpace space = lookAtFreeSpace(bed_);
         put("system/snappyHexMeshDict", "dictionary",
@@ -157,20 +149,19 @@ public:
     void writeFields()
     {
         const double speed = kReynolds * kViscosity / bed_.meanDiameter();
-        const Eigen::Vector3d flow = speed * bed_.up();
+        // Into the space: normals of patches point out of it.
+        const std::string inlet =
+            fmt::format("type surfaceNormalFixedValue; refValue uniform {:.9g};", -speed);
         std::string velocities = "    background { type slip; }\n";
         std::string pressures = "    background { type zeroGradient; }\n";
-        for (const BedPatch patch : patches_)
+        for (const auto& [kind, name] : bed_.patches())
         {
-            const std::string inlet =
-                fmt::format("type fixedValue; value uniform ({:.9g} {:.9g} {:.9g});", flow.x(),
-                            flow.y(), flow.z());
-            velocities += fmt::format("    {} {{ {} }}\n", name(patch),
-                                      patch == BedPatch::inlet    ? inlet
-                                      : patch == BedPatch::outlet ? "type zeroGradient;"
+            velocities += fmt::format("    {} {{ {} }}\n", name,
+                                      kind == PatchKind::inlet    ? inlet
+                                      : kind == PatchKind::outlet ? "type zeroGradient;"
                                                                   : "type noSlip;");
-            pressures += fmt::format("    {} {{ {} }}\n", name(patch),
-                                     patch == BedPatch::outlet ? "type fixedValue; value uniform 0;"
+            pressures += fmt::format("    {} {{ {} }}\n", name,
+                                     kind == PatchKind::outlet ? "type fixedValue; value uniform 0;"
                                                                : "type zeroGradient;");
         }
         put("0/U", "volVectorField",
@@ -198,12 +189,6 @@ public:
     }
 
 private:
-    static const char* name(BedPatch patch) { return kBedPatches[static_cast<std::size_t>(patch)]; }
-    static bool isOpen(BedPatch patch)
-    {
-        return patch == BedPatch::inlet || patch == BedPatch::outlet;
-    }
-
     void put(const std::string& file, const char* kind, const std::string& text)
     {
         const std::size_t slash = file.rfind('/');
@@ -343,7 +328,6 @@ relaxationFactors { equations { U 0.8; } }
     const Bed& bed_;
     std::filesystem::path folder_;
     Files& files_;
-    std::vector<BedPatch> patches_;
 };
 
 } // namespace

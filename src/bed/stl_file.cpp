@@ -11,12 +11,14 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 namespace frostfill
 {
 namespace
 {
 
-void putBinary(AtomicFile& file, const BedSurface& surface, BedPatch patch)
+void putBinary(AtomicFile& file, const BedSurface& surface, std::size_t patch)
 {
     surface.forEachPart(patch,
                         [&](std::span<const StlTriangle> triangles)
@@ -33,9 +35,9 @@ void putBinary(AtomicFile& file, const BedSurface& surface, BedPatch patch)
                         });
 }
 
-void putText(AtomicFile& file, const BedSurface& surface, BedPatch patch)
+void putText(AtomicFile& file, const BedSurface& surface, std::size_t patch)
 {
-    const char* name = kBedPatches[static_cast<std::size_t>(patch)];
+    const std::string& name = surface.bed().patches()[patch].name;
     file.write(fmt::format("solid {}\n", name));
     surface.forEachPart(patch,
                         [&](std::span<const StlTriangle> triangles)
@@ -52,14 +54,14 @@ void putText(AtomicFile& file, const BedSurface& surface, BedPatch patch)
 
 } // namespace
 
-void writeStl(const BedSurface& surface, std::span<const BedPatch> patches, bool ascii,
+void writeStl(const BedSurface& surface, std::span<const std::size_t> patches, bool ascii,
               const std::filesystem::path& name)
 {
     AtomicFile file(name);
     if (!ascii)
     {
         std::size_t count = 0;
-        for (const BedPatch patch : patches)
+        for (const std::size_t patch : patches)
         {
             count += surface.triangles(patch);
         }
@@ -68,14 +70,19 @@ void writeStl(const BedSurface& surface, std::span<const BedPatch> patches, bool
             throw Error(ErrorCode::badData, "an STL file holds at most 4294967295 triangles; give "
                                             "a lower --resolution");
         }
-        std::string head = "binary STL by Frostfill; patches: 0 inlet, 1 outlet, 2 wall, 3 spheres";
+        std::string head = "binary STL by Frostfill; patches:";
+        for (const std::size_t patch : patches)
+        {
+            head += fmt::format("{} {} {}", patch > 0 ? "," : "", patch,
+                                surface.bed().patches()[patch].name);
+        }
         head.resize(80, ' ');
         ByteWriter bytes;
         bytes.bytes() = head;
         bytes.raw(static_cast<std::uint32_t>(count));
         file.write(bytes.bytes());
     }
-    for (const BedPatch patch : patches)
+    for (const std::size_t patch : patches)
     {
         if (surface.triangles(patch) > 0)
         {
@@ -87,11 +94,11 @@ void writeStl(const BedSurface& surface, std::span<const BedPatch> patches, bool
 
 void writeStlBed(const Bed& bed, const std::filesystem::path& folder, Files& files)
 {
-    constexpr std::array<BedPatch, 4> kAll = {BedPatch::inlet, BedPatch::outlet, BedPatch::wall,
-                                              BedPatch::spheres};
+    std::vector<std::size_t> all(bed.patches().size());
+    std::iota(all.begin(), all.end(), 0);
     const BedSurface surface(bed);
     files.push_back(folder / "bed.stl");
-    writeStl(surface, kAll, bed.settings().ascii, files.back());
+    writeStl(surface, all, bed.settings().ascii, files.back());
     files.push_back(folder / "bed.stl.json");
     writeSummary(surfaceSummary(surface), files.back());
 }

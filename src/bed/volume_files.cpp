@@ -3,7 +3,6 @@
 #include "bed/bed_files.hpp"
 #include "bed/bed_summary.hpp"
 #include "bed/distance_field.hpp"
-#include "output/npy_header.hpp"
 #include "run_file/bytes.hpp"
 
 #include <fmt/format.h>
@@ -39,13 +38,22 @@ nlohmann::ordered_json volumeSummary(const Bed& bed, const DistanceField& field)
     return summary;
 }
 
+/// In NumPy's format 1.0, indexed [z, y, x]: a Python dictionary, filled up so that values begin at
+/// a multiple of 64 bytes. `type` is as NumPy writes it, such as <f8.
 void writeArray(const std::filesystem::path& name, const char* type, const DistanceField& field,
                 std::string_view values)
 {
+    std::string dictionary =
+        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}, {}), }}", type,
+                    field.count[2], field.count[1], field.count[0]);
+    constexpr std::size_t kBefore = 10;
+    dictionary.append(63 - (kBefore + dictionary.size()) % 64, ' ');
+    dictionary += '\n';
+    std::string header("\x93NUMPY\x01\x00", 8);
+    header += static_cast<char>(dictionary.size() & 0xFF); // the low byte first
+    header += static_cast<char>(dictionary.size() >> 8);
     AtomicFile file(name);
-    file.write(npyHeader(type, {static_cast<std::size_t>(field.count[2]),
-                                static_cast<std::size_t>(field.count[1]),
-                                static_cast<std::size_t>(field.count[0])}));
+    file.write(header + dictionary);
     file.write(values);
     file.commit();
 }

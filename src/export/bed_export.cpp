@@ -37,8 +37,15 @@ public:
         {
             throw Error(ErrorCode::badData, "the frame has no sphere yet");
         }
-        TriangleMesh mesh = run_.mesh;
-        for (Eigen::Vector3d& vertex : mesh.vertices)
+        BedContainer container{run_.mesh};
+        for (const MeshPatch& patch : run_.patches)
+        {
+            container.partOf.resize(container.partOf.size() + patch.triangles,
+                                    static_cast<std::uint32_t>(container.parts.size()));
+            container.parts.push_back(patch.name);
+        }
+        container.partOf.resize(run_.mesh.triangles.size(), BedContainer::kNoPart);
+        for (Eigen::Vector3d& vertex : container.mesh.vertices)
         {
             vertex = frame.inWorld(vertex);
         }
@@ -46,7 +53,7 @@ public:
         if (isInMetres(format_) && unitsPerMetre != 1)
         {
             const auto toMetres = [&](auto& length) { length /= unitsPerMetre; };
-            std::for_each(mesh.vertices.begin(), mesh.vertices.end(), toMetres);
+            std::for_each(container.mesh.vertices.begin(), container.mesh.vertices.end(), toMetres);
             std::for_each(centres.begin(), centres.end(), toMetres);
             std::for_each(radii.begin(), radii.end(), toMetres);
             unitsPerMetre = 1;
@@ -55,9 +62,9 @@ public:
         up = frame.moved ? Eigen::Vector3d(frame.state.pose.rotation * up) : up;
         if (format_ == ExportFormat::openFoam || format_ == ExportFormat::gmsh)
         {
-            mesh = withoutHeadSpace(std::move(mesh), up, centres, radii);
+            container = withoutHeadSpace(std::move(container), up, centres, radii);
         }
-        const Bed bed(mesh, std::move(centres), std::move(radii), up, run_.bed, unitsPerMetre);
+        const Bed bed(container, std::move(centres), std::move(radii), up, run_.bed, unitsPerMetre);
         switch (format_)
         {
         case ExportFormat::stlBed:

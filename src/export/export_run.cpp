@@ -2,6 +2,7 @@
 #include "analysis/measured_columns.hpp"
 #include "base/atomic_file.hpp"
 #include "export/exporter.hpp"
+#include "mesh/repair/patches.hpp"
 #include "output/scene_json.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
@@ -53,6 +54,24 @@ std::vector<std::size_t> selectedFrames(const RunFileReader& reader, const std::
     return chosen;
 }
 
+/// Those of the mesh that have names, however the head may be damaged.
+void readPatches(const nlohmann::ordered_json& head, ExportedRun& run)
+{
+    std::size_t left = run.mesh.triangles.size() - run.lids;
+    const auto patches = head.find("patches");
+    for (std::size_t k = 0; patches != head.end() && patches->is_array() && k < patches->size();
+         ++k)
+    {
+        const auto& patch = (*patches)[k];
+        if (patch.size() == 2 && patch[0].is_string() && patch[1].is_number_unsigned())
+        {
+            const std::size_t triangles = std::min(patch[1].get<std::size_t>(), left);
+            run.patches.push_back({wordOfPatch(patch[0].get<std::string>()), triangles});
+            left -= triangles;
+        }
+    }
+}
+
 /// Groups per set, the axis that points up and the lids, where the head of the file tells them.
 void readScene(const RunFileReader& reader, const std::string& name, ExportedRun& run)
 {
@@ -63,6 +82,7 @@ void readScene(const RunFileReader& reader, const std::string& name, ExportedRun
         run.lids = lids != head.end() && lids->is_number_unsigned()
                        ? std::min(lids->get<std::size_t>(), run.mesh.triangles.size())
                        : 0;
+        readPatches(head, run);
         const Scene scene = sceneFromJson(head["scene"], name);
         run.groupsPerSet = std::max<std::uint32_t>(1, scene.spheres.groupsPerSet);
         run.up = static_cast<int>(scene.object.up);
@@ -160,12 +180,6 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     {
         run.numbers.push_back(reader.frames()[index]);
     }
-    if (request.format == ExportFormat::npz)
-    {
-        // Arrays of all frames are as long as the last one, which all frames have to be unpacked
-        // for.
-        run.spheres = reader.seek(chosen.back()).states.size();
-    }
     run.hasShell = request.shell;
     if (request.shell &&
         (request.format == ExportFormat::glb || request.format == ExportFormat::glbInstanced))
@@ -176,7 +190,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
     {
         takeGeometry(request, format, run);
     }
-    const std::vector<std::string> names = exportFiles(request.format, run.numbers);
+    const std::vector<std::string> names = exportFiles(request.format, run);
     if (!request.overwrite)
     {
         requireFree(request.out, names);

@@ -29,12 +29,12 @@ struct ExportedRun
     std::uint32_t groupsPerSet = 1;        ///< groups that appear together
     int up = 1;                            ///< axis of the mesh that points up
     std::vector<std::size_t> numbers = {}; ///< of the frames that are exported, ascending
-    std::size_t spheres = 0;               ///< in the last of them; for npz alone
     bool hasShell = true;                  ///< for glTF alone
     SimplifiedShell shell = {};            ///< of the mesh; for glTF alone, if it has one
     Scene scene = {};                      ///< as far as the head of the file tells it
     BedSettings bed = {};                  ///< for geometry alone
     std::size_t lids = 0;                  ///< the last triangles of the mesh, which are no walls
+    std::vector<MeshPatch> patches = {};   ///< its first triangles, as far as they have names
 };
 
 /// A frame as it is exported.
@@ -82,9 +82,11 @@ protected:
     std::vector<std::filesystem::path> files_;
 };
 
-/// Names of the files that an exporter of this format writes for these frames.
-[[nodiscard]] std::vector<std::string> exportFiles(ExportFormat format,
-                                                   const std::vector<std::size_t>& numbers);
+/// All triangles of the mesh that are walls: those that have names, and what is left.
+[[nodiscard]] std::vector<MeshPatch> wallsOf(const ExportedRun& run);
+
+/// Names of the files that an exporter of this format writes.
+[[nodiscard]] std::vector<std::string> exportFiles(ExportFormat format, const ExportedRun& run);
 
 // The makers, each in a file of its own. `run` outlives the exporter.
 using MakeExporter = std::unique_ptr<Exporter>(const ExportedRun& run,
@@ -95,14 +97,12 @@ MakeExporter makeXyzExporter;
 MakeExporter makeGlbExporter;
 MakeExporter makeGlbInstancedExporter;
 MakeExporter makeCsvExporter;
-MakeExporter makeNpzExporter;
 MakeExporter makeLiggghtsExporter;
 MakeExporter makeLammpsExporter;
 MakeExporter makeYadeExporter;
 MakeExporter makeMercuryDpmExporter;
 MakeExporter makeMfixExporter;
 MakeExporter makeLetheExporter;
-MakeExporter makeOpenMcExporter;
 
 /// The exporter of a format.
 [[nodiscard]] std::unique_ptr<Exporter> makeExporter(ExportFormat format, const ExportedRun& run,

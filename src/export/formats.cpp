@@ -26,7 +26,7 @@ struct FormatEntry
     ExportFormatInfo info;
     MakeExporter* make;
     /// The files that it writes, the one to open first; one that begins with a dot stands for a
-    /// file a frame, which ends in it.
+    /// file a frame, which ends in it, and one with a star for a file a patch of the walls.
     std::array<const char*, 3> files;
     std::string_view takes = ""; ///< of exportOptions()
     bool isGeometry = false;     ///< of one frame
@@ -38,7 +38,7 @@ constexpr std::array<std::string_view, 9> kOptions = {"measure", "full-mesh", "n
                                                       "ascii",   "cell",      "voxels"};
 constexpr std::string_view kOfGltf = "measure full-mesh no-shell";
 
-constexpr std::array<FormatEntry, 19> kEntries = {{
+constexpr std::array<FormatEntry, 17> kEntries = {{
     {{ExportFormat::vtp, "vtp", "all", "spheres and mesh for ParaView and VTK; open run.pvd"},
      makeVtpExporter,
      {"run.pvd", ".vtp"},
@@ -69,13 +69,9 @@ constexpr std::array<FormatEntry, 19> kEntries = {{
      makeCsvExporter,
      {".csv"},
      "measure"},
-    {{ExportFormat::npz, "npz", "all", "NumPy arrays of all frames in one file"},
-     makeNpzExporter,
-     {"run.npz"},
-     "measure"},
     {{ExportFormat::liggghts, "liggghts", "last", "an input script of LIGGGHTS with its files"},
      makeLiggghtsExporter,
-     {"liggghts.in", "liggghts.data", "liggghts_walls.stl"},
+     {"liggghts.in", "liggghts.data", "liggghts_*.stl"},
      "lids"},
     {{ExportFormat::lammps, "lammps", "last", "an input script of LAMMPS with its data file"},
      makeLammpsExporter,
@@ -94,9 +90,6 @@ constexpr std::array<FormatEntry, 19> kEntries = {{
     {{ExportFormat::lethe, "lethe", "last", "the packing for the insertion method file of Lethe"},
      makeLetheExporter,
      {"particles.input"}},
-    {{ExportFormat::openmc, "openmc", "last", "a Python module that makes a lattice for OpenMC"},
-     makeOpenMcExporter,
-     {"openmc_packing.py", "openmc_packing.txt"}},
     {{ExportFormat::stlBed, "stl-bed", "last", "one closed surface of spheres and container"},
      makeBedExporter<ExportFormat::stlBed>,
      {"bed.stl", "bed.stl.json"},
@@ -127,9 +120,11 @@ constexpr std::array<FormatEntry, 19> kEntries = {{
 }};
 
 /// Names of formats that there were, and what says the same.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kFormer = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kFormer = {
     {{"lammps-data", "lammps, whose lammps.data is for read_data"},
-     {"ply", "csv, or vtp and npz for binary files"},
+     {"npz", "csv, or frostfill.load in Python, which has each frame as arrays"},
+     {"openmc", "csv, whose spheres openmc.model.TRISO takes"},
+     {"ply", "csv, or vtp for binary files"},
      {"gmsh-bed", "gmsh"}}};
 
 constexpr auto kFormats = []
@@ -252,7 +247,22 @@ ColumnList without(const ColumnList& columns, bool (*left)(const Column& column)
     return rest;
 }
 
-std::vector<std::string> exportFiles(ExportFormat format, const std::vector<std::size_t>& numbers)
+std::vector<MeshPatch> wallsOf(const ExportedRun& run)
+{
+    std::vector<MeshPatch> walls = run.patches;
+    std::size_t left = run.mesh.triangles.size() - run.lids;
+    for (const MeshPatch& patch : walls)
+    {
+        left -= patch.triangles;
+    }
+    if (left > 0)
+    {
+        walls.push_back({walls.empty() ? "walls" : "lids", left});
+    }
+    return walls;
+}
+
+std::vector<std::string> exportFiles(ExportFormat format, const ExportedRun& run)
 {
     std::vector<std::string> names;
     for (const char* file : entryOf(format).files)
@@ -261,14 +271,25 @@ std::vector<std::string> exportFiles(ExportFormat format, const std::vector<std:
         {
             break;
         }
-        if (*file != '.')
+        const std::string name = file;
+        const std::size_t star = name.find('*');
+        if (star != std::string::npos)
         {
-            names.emplace_back(file);
-            continue;
+            for (const MeshPatch& patch : wallsOf(run))
+            {
+                names.push_back(std::string(name).replace(star, 1, patch.name));
+            }
         }
-        for (const std::size_t number : numbers)
+        else if (name[0] != '.')
         {
-            names.push_back(numberedName("spheres", number, file + 1));
+            names.push_back(name);
+        }
+        else
+        {
+            for (const std::size_t number : run.numbers)
+            {
+                names.push_back(numberedName("spheres", number, file + 1));
+            }
         }
     }
     return names;

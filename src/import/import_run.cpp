@@ -2,6 +2,7 @@
 #include "import/sphere_numbers.hpp"
 #include "import/survey.hpp"
 #include "import/timestep_sequence.hpp"
+#include "mesh/repair/patches.hpp"
 #include "run/frame_timing.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_head.hpp"
@@ -22,12 +23,18 @@ namespace frostfill
 namespace
 {
 
-TriangleMesh meshOf(const ImportRequest& request, const Survey& survey)
+/// As it is, with its patches.
+LoadedMesh meshOf(const ImportRequest& request, const Survey& survey)
 {
+    LoadedMesh mesh;
     if (!request.mesh.empty())
     {
-        return isBuiltInMesh(request.mesh) ? builtInMesh(request.mesh)
-                                           : readMeshSandboxed(request.mesh);
+        std::vector<MeshPatch> patches;
+        mesh.mesh = isBuiltInMesh(request.mesh)
+                        ? builtInMesh(request.mesh)
+                        : readMeshSandboxed(request.mesh, nullptr, &patches);
+        findPatchesAgain(mesh, mesh.mesh, patches);
+        return mesh;
     }
     if (!survey.box || !(survey.box->sizes().minCoeff() > 0))
     {
@@ -36,14 +43,16 @@ TriangleMesh meshOf(const ImportRequest& request, const Survey& survey)
                                 "the spheres are in with --mesh",
                                 request.file.string()));
     }
-    return boxMesh(*survey.box);
+    mesh.mesh = boxMesh(*survey.box);
+    return mesh;
 }
 
-RunHead headOf(const ImportRequest& request, const Survey& survey, const TriangleMesh& mesh)
+RunHead headOf(const ImportRequest& request, const Survey& survey, const LoadedMesh& mesh)
 {
     RunHead head;
     head.importedFrom = request.file.string();
     head.version = describeMachine().version;
+    head.patches = mesh.patches;
     Scene& scene = head.scene;
     scene = presetScene(Preset::fast, request.file.string());
     scene.object.mesh = request.mesh.empty() ? request.file.string() : request.mesh;
@@ -54,7 +63,7 @@ RunHead headOf(const ImportRequest& request, const Survey& survey, const Triangl
     scene.frames.duration = std::clamp(static_cast<double>(steps) / scene.frames.fps, 0.01, 1e6);
     head.stride = strideFor(steps + 1, scene.frames.limit, true);
     MeshReport report;
-    report.box = boundingBox(mesh);
+    report.box = boundingBox(mesh.mesh);
     head.colours = {static_cast<double>(survey.groups),
                     fallTime(scene, report),
                     {survey.smallestRadius, survey.largestRadius}};
@@ -187,13 +196,14 @@ std::string summaryOf(const RunHead& head, const ImportResult& result)
 ImportResult importRun(const ImportRequest& request, const ImportProgress& progress)
 {
     const Survey survey = surveyTimesteps(request);
-    const TriangleMesh mesh = meshOf(request, survey);
+    const LoadedMesh mesh = meshOf(request, survey);
     const RunHead head = headOf(request, survey, mesh);
     RunDirectory place(request.directory,
                        request.overwrite ? EarlierRun::replace : EarlierRun::refuse);
     place.begin();
-    RunFileWriter file(request.directory / kRunFile, headText(head), mesh, survey.smallestRadius);
-    Frames frames(survey, mesh);
+    RunFileWriter file(request.directory / kRunFile, headText(head), mesh.mesh,
+                       survey.smallestRadius);
+    Frames frames(survey, mesh.mesh);
     TimestepSequence sequence(request);
     for (Timestep timestep; sequence.next(timestep);)
     {

@@ -125,16 +125,6 @@ struct MomentFormat
 constexpr MomentFormat kMomentFormats[] = {{"a LAMMPS dump", isDump, readDumpTimestep},
                                            {"XYZ", isXyz, readXyzTimestep}};
 
-/// A text that is one packing.
-struct TextFormat
-{
-    const char* name;
-    bool (*is)(std::string_view text);
-    Timestep (*read)(TextLines lines, double radius);
-};
-constexpr TextFormat kTextFormats[] = {{"the text of YADE", isYade, readYade},
-                                       {"a data file of LAMMPS", isLammpsData, readLammpsData}};
-
 void refuseColumns(const PackingColumns& columns, const std::filesystem::path& file,
                    const std::string& format)
 {
@@ -158,12 +148,9 @@ Packing readContent(const std::filesystem::path& file, const PackingFileOptions&
                                 file.string()));
     }
     TextLines lines(content, file.string());
-    for (const TextFormat& format : kTextFormats)
+    if (isLammpsData(content))
     {
-        if (format.is(content))
-        {
-            return packingOf(format.read(lines, options.radius), format.name);
-        }
+        return packingOf(readLammpsData(lines, options.radius), "a data file of LAMMPS");
     }
     for (const MomentFormat& format : kMomentFormats)
     {

@@ -113,12 +113,11 @@ Timestep readTable(TextLines lines, const PackingFileOptions& options)
     {
         heading.remove_prefix(3); // byte order mark of a spreadsheet
     }
-    if (heading.starts_with('#'))
-    {
-        heading.remove_prefix(1);
-    }
+    constexpr std::string_view kOfYade = "#format ";
+    const bool isOfYade = heading.starts_with(kOfYade);
+    heading.remove_prefix(isOfYade ? kOfYade.size() : heading.starts_with('#') ? 1 : 0);
     const char separator = separatorOf(heading);
-    const TableWords names = wordsOf(heading, separator);
+    const TableWords names = wordsOf(heading, isOfYade ? '_' : separator);
     const SphereColumns columns = columnsOfTable(names, options, lines);
     Timestep timestep;
     const bool hasHeading = !areNumbers(names);

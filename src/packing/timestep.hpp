@@ -67,10 +67,8 @@ void addSphere(const std::vector<std::string_view>& words, const SphereColumns& 
 /// Error badData.
 [[nodiscard]] bool readDumpTimestep(TextLines& lines, double radius, Timestep& timestep);
 [[nodiscard]] bool readXyzTimestep(TextLines& lines, double radius, Timestep& timestep);
-/// Reads a table, which is one timestep.
+/// Reads a table, which is one timestep. The first line of YADE's is: #format x_y_z_r.
 [[nodiscard]] Timestep readTable(TextLines lines, const PackingFileOptions& options);
-/// Reads the text of YADE, which names its columns in its first line: #format x_y_z_r.
-[[nodiscard]] Timestep readYade(TextLines lines, double radius);
 /// Reads the section Atoms of a data file of LAMMPS or LIGGGHTS. Throws for an atom_style whose
 /// columns are not known.
 [[nodiscard]] Timestep readLammpsData(TextLines lines, double radius);

@@ -16,8 +16,6 @@ namespace frostfill
 /// Whether a text is a dump of LAMMPS or LIGGGHTS.
 [[nodiscard]] bool isDump(std::string_view text);
 
-/// Whether it is the text of YADE, with its columns in the first line.
-[[nodiscard]] bool isYade(std::string_view text);
 /// Whether it is a data file of LAMMPS: its head has a number of atoms.
 [[nodiscard]] bool isLammpsData(std::string_view text);
 

@@ -117,6 +117,7 @@ std::string headOf(const FillRequest& request, const LoadedMesh& mesh, const Sim
     head.scene = request.scene;
     head.repairs = mesh.repairs;
     head.lidTriangles = mesh.lidTriangles;
+    head.patches = mesh.patches;
     head.video = request.video.empty() ? "" : std::filesystem::absolute(request.video).string();
     head.colours = colourFacts(request.scene, simulation);
     head.interval = frames.timing.interval;

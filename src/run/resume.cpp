@@ -111,6 +111,7 @@ std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request)
     mesh.mesh = reader.mesh();
     mesh.repairs = head.repairs;
     mesh.lidTriangles = head.lidTriangles;
+    mesh.patches = head.patches;
     return mesh;
 }
 

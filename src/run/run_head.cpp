@@ -97,6 +97,10 @@ std::string headText(const RunHead& head)
     {
         json["lid_triangles"] = head.lidTriangles;
     }
+    for (const MeshPatch& patch : head.patches)
+    {
+        json["patches"].push_back({patch.name, patch.triangles});
+    }
     json["video"] = head.video;
     json["groups"] = head.colours.groups;
     json["fall_seconds"] = head.colours.fallSeconds;
@@ -132,6 +136,11 @@ RunHead readHead(const std::string& text, const std::string& nameForMessages)
         head.scene = sceneFromJson(json.at("scene"), nameForMessages);
         head.repairs = json.at("repairs").get<std::vector<std::string>>();
         head.lidTriangles = json.value("lid_triangles", std::size_t{0});
+        for (const Json& patch : json.value("patches", Json::array()))
+        {
+            head.patches.push_back(
+                {patch.at(0).get<std::string>(), patch.at(1).get<std::size_t>()});
+        }
         head.video = json.at("video").get<std::string>();
         const auto radii = json.value("radii", std::array{0.0, 1.0}); // runs before 0.3 have none
         head.colours = {json.at("groups").get<double>(),

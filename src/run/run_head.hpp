@@ -31,6 +31,7 @@ struct RunHead
     Scene scene;
     std::vector<std::string> repairs; ///< of the mesh
     std::size_t lidTriangles = 0;     ///< the last of the mesh
+    std::vector<MeshPatch> patches;   ///< the first of the mesh
     std::string video;                ///< file, absolute; empty for none
     ColourFacts colours;
     double interval = 0;     ///< [s] simulated, between two frames

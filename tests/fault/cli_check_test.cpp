@@ -164,10 +164,6 @@ TEST_F(CheckCommand, TakesTheColumnsOfATableByName)
 // In millimetres: no length of the tables lies between 0 and 1, as porosities do.
 TEST_F(CheckCommand, AnalyseDrawsPorosityOfLargeLengths)
 {
-    if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
-    {
-        GTEST_SKIP() << "gnuplot is not installed";
-    }
     writeFile(folder_ / "box.off",
               "OFF\n8 6 0\n0 0 0\n400 0 0\n400 0 400\n0 0 400\n0 400 0\n400 400 0\n"
               "400 400 400\n0 400 400\n4 0 1 2 3\n4 0 4 5 1\n4 1 5 6 2\n"

@@ -114,6 +114,56 @@ TEST_F(OpenMeshes, AreClosedByAFileWithTheirLid)
     EXPECT_TRUE(fs::exists(folder_ / "output/lid/summary.json")); // the name of the first
 }
 
+TEST_F(OpenMeshes, KeepTheNamesOfTheirFilesInExports)
+{
+    // Wound in any way, so that repair has to change them.
+    writeFile(folder_ / "bottom plate.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 -1 1\nv -1 -1 1\n"
+                                            "f 1 2 3 4\n");
+    writeFile(folder_ / "wall.obj", "v -1 -1 -1\nv 1 -1 -1\nv 1 -1 1\nv -1 -1 1\n"
+                                    "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\n"
+                                    "f 1 2 6 5\nf 2 6 7 3\nf 3 7 8 4\nf 1 5 8 4\n");
+    writeFile(folder_ / "lid.obj", "v -1 1 -1\nv 1 1 -1\nv 1 1 1\nv -1 1 1\nf 1 2 3 4\n");
+    const std::string size = " --radius 0.3 --count 20 --frames last --size 64x48 --overwrite ";
+    ASSERT_EQ(run("fill lid.obj 'bottom plate.obj' wall.obj --out a --quiet" + size).code, 0);
+    for (const char* file : {"lid.obj", "bottom plate.obj", "wall.obj"})
+    {
+        fs::rename(folder_ / file, folder_ / (std::string("moved ") + file));
+    }
+    ASSERT_EQ(run("export a --to openfoam,liggghts,lammps-dump --quiet").code, 0);
+    const std::string flow = readFile(folder_ / "a/export/openfoam/0/U");
+    EXPECT_NE(flow.find("    bottom_plate { type surfaceNormalFixedValue; refValue uniform -"),
+              std::string::npos)
+        << flow;
+    EXPECT_NE(flow.find("    lid { type zeroGradient; }\n    wall { type noSlip; }\n"),
+              std::string::npos);
+    EXPECT_EQ(flow.find("outlet"), std::string::npos);
+    const std::string script = readFile(folder_ / "a/export/liggghts.in");
+    EXPECT_NE(script.find("mesh n_meshes 3 meshes mesh_lid mesh_bottom_plate mesh_wall\n"),
+              std::string::npos)
+        << script;
+    EXPECT_NE(run("export a --to liggghts").errors.find("liggghts"), std::string::npos);
+
+    ASSERT_EQ(run("import a/export/spheres.dump --out b --quiet "
+                  "--mesh 'moved wall.obj+moved bottom plate.obj+moved lid.obj'")
+                  .code,
+              0);
+    EXPECT_EQ(run("export b --to stl-bed --ascii --quiet").code, 0);
+    EXPECT_NE(readFile(folder_ / "b/export/bed.stl").find("\nsolid moved_lid\n"),
+              std::string::npos);
+
+    const std::string open = "fill 'moved wall.obj' 'moved bottom plate.obj' --lid --out c --quiet";
+    ASSERT_EQ(run(open + size).code, 0);
+    for (const char* lids : {"", "--lids"})
+    {
+        EXPECT_EQ(run(std::string("export c --to liggghts --quiet --overwrite ") + lids).code, 0);
+        EXPECT_EQ(fs::exists(folder_ / "c/export/liggghts_lids.stl"), *lids != '\0');
+        EXPECT_TRUE(fs::exists(folder_ / "c/export/liggghts_moved_wall.stl"));
+    }
+    EXPECT_EQ(run("export c --to openfoam --quiet").code, 0);
+    EXPECT_NE(readFile(folder_ / "c/export/openfoam/0/U").find("    outlet { type zeroGradient; }"),
+              std::string::npos);
+}
+
 TEST_F(OpenMeshes, FillByASceneThatAsksForALid)
 {
     writeFile(folder_ / "scene.toml", "[object]\nmesh = \"tub.obj\"\nlid = true\nwrap = \"none\"\n"

@@ -116,29 +116,33 @@ TEST_F(MeasureCommands, FpsReadsScenesAndMeshFiles)
     EXPECT_EQ(run("fps missing.stl --no-render --quiet").code, 66);
 }
 
-TEST_F(MeasureCommands, AnalyseDrawsItsTablesAndSaysHowToGetGnuplot)
+TEST_F(MeasureCommands, AnalyseDrawsItsTablesAndSaysHowToGetMatplotlib)
 {
     ASSERT_EQ(
         run("fill cube --count 200 --frames none --set frames.keep_run=true --quiet --out run")
             .code,
         0);
     const std::string analyse = "analyse run --only porosity,contacts,pairs --figures --quiet ";
-    const Answer missing = test::runProgram(analyse + "--out new", folder_.path(), "PATH=/nowhere");
+    writeFile(folder_ / "matplotlib.py", "raise ImportError");
+    const Answer missing =
+        test::runProgram(analyse + "--out new", folder_.path(), "PYTHONPATH=$PWD");
+    std::filesystem::remove(folder_ / "matplotlib.py");
     EXPECT_EQ(missing.code, 69);
-    EXPECT_NE(missing.errors.find("apt-get install gnuplot-nox"), std::string::npos)
+    EXPECT_NE(missing.errors.find("apt-get install python3-matplotlib"), std::string::npos)
         << missing.errors;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "new"));
     const Answer drawn = run(analyse + "--out found");
     ASSERT_EQ(drawn.code, 0) << drawn.errors;
     for (const std::string name : {"porosity", "contacts", "pairs"})
     {
-        for (const char* ending : {".gp", ".png", ".svg"})
+        for (const char* ending : {".png", ".svg"})
         {
             EXPECT_GT(readFile(folder_ / ("found/" + name + ending)).size(), 300u)
                 << name << ending;
         }
     }
     EXPECT_FALSE(std::filesystem::exists(folder_ / "found/order.png"));
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "found/figures.py"));
 }
 
 /// frostfill-lab, which users do not have.

@@ -203,7 +203,7 @@ TEST_F(CommandLine, DoctorTellsVersionsAndOpenGl)
 {
     const Answer answer = run("doctor");
     EXPECT_EQ(answer.code, 0) << answer.errors;
-    for (const char* part : {"Eigen", "assimp", "OpenGL", "ffmpeg", "gnuplot"})
+    for (const char* part : {"Eigen", "assimp", "OpenGL", "ffmpeg", "python3"})
     {
         EXPECT_NE(answer.output.find(part), std::string::npos) << part << "\n" << answer.output;
     }

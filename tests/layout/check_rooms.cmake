@@ -72,7 +72,7 @@ room(analysis base geometry ${mesh} bulk scene snapshot simulation simulation/qu
 room(output base mesh snapshot scene scene/options image)
 room(shell mesh mesh/interior geometry snapshot)
 room(bed base geometry mesh mesh/interior mesh/repair output run_file)
-room(export base mesh view scene scene/options snapshot run_file output shell bed analysis)
+room(export base mesh mesh/repair view scene scene/options snapshot run_file output shell bed analysis)
 room(export/inputs base mesh mesh/interior scene snapshot output export)
 room(run base mesh bulk view scene scene/options snapshot simulation image renderer render/overlay run_file output analysis)
 room(page base mesh view scene snapshot renderer render/framing render/context render/overlay render/picture
@@ -80,7 +80,7 @@ room(page base mesh view scene snapshot renderer render/framing render/context r
 
 room(analysis/files base snapshot run_file output export analysis)
 
-room(import mesh scene snapshot run_file packing run)
+room(import mesh mesh/repair scene snapshot run_file packing run)
 
 room(sweep base mesh scene scene/options simulation image renderer run_file output run)
 

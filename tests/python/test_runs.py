@@ -126,14 +126,9 @@ class Runs(FolderCase):
         files = run.export(self.folder / "torus.vtp")
         self.assertEqual([f.name for f in files], ["torus.vtp", "torus_mesh.vtp"])
         self.assertIn(b"<VTKFile", files[0].read_bytes()[:100])
-        for ending in ("xyz", "glb", "csv", "npz", "dump"):
+        for ending in ("xyz", "glb", "csv", "dump"):
             (file,) = run.export(self.folder / f"torus.{ending}")
             self.assertGreater(file.stat().st_size, 100)
-        arrays = numpy.load(self.folder / "torus.npz")
-        self.assertEqual(arrays["frames"].tolist(), run.frames.tolist())
-        for index, snapshot in enumerate(run):
-            here = len(snapshot)
-            self.assertTrue(numpy.array_equal(arrays["centres"][index][:here], snapshot.centres))
         self.assertEqual(run.export(self.folder / "all", "vtp", frames="0,1")[0].name, "run.pvd")
         with self.assertRaisesRegex(frostfill.CannotCreate, "is there already"):
             run.export(self.folder / "torus.csv")
@@ -158,7 +153,7 @@ class Runs(FolderCase):
         csv = run.export(self.folder / "measured.csv", measure=["q6", "rattler"])[0]
         self.assertTrue({"q6", "rattler"} <= set(csv.read_text().splitlines()[0].split(",")))
         self.assertNotIn(b'"shell"', run.export(self.folder / "bare.glb", no_shell=True)[0].read_bytes())
-        for format, option in (("csv", {"voxels": 8}), ("vtp", {"contacts": "none"}), ("npz", {"cell": 1}),
+        for format, option in (("csv", {"voxels": 8}), ("vtp", {"contacts": "none"}), ("xyz", {"cell": 1}),
                                ("gmsh", {"measure": "q6"}), ("stl-bed", {"no_shell": True})):
             with self.assertRaisesRegex(frostfill.Usage, f"{format} takes no "):
                 run.export(self.folder / "none", format, **option)

@@ -39,7 +39,7 @@ there are. It draws every frame without a screen.
 
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME frostfill)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "${opengl}, gnuplot-nox")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "${opengl}, python3-matplotlib")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "fill a mesh with falling spheres and draw it
 ${does}.
 This package has the program, its manual page and its completion for bash.")

@@ -9,81 +9,39 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cstring>
-#include <string_view>
-#include <utility>
-
 namespace frostfill
 {
-namespace
-{
 
-struct AnalysisPlot
+std::string findMatplotlib()
 {
-    const char* table; ///< that it is drawn from
-    const char* script;
-    std::string_view (*text)();
-};
-
-constexpr AnalysisPlot kPlots[] = {
-    {"porosity_height.csv", "porosity.gp", embedded::plot_analysis_porosity},
-    {"pairs.csv", "pairs.gp", embedded::plot_analysis_pairs},
-    {"contacts.csv", "contacts.gp", embedded::plot_analysis_contacts},
-    {"cells.csv", "cells.gp", embedded::plot_analysis_cells},
-    {"order.csv", "order.gp", embedded::plot_analysis_order},
-    {"sizes_height.csv", "sizes.gp", embedded::plot_analysis_sizes},
-};
-
-void writeScript(const std::filesystem::path& file, std::string_view text)
-{
-    AtomicFile out(file);
-    out.write(text);
-    out.commit();
-}
-
-ProgramRun runGnuplot(const std::filesystem::path& folder, std::vector<std::string> arguments)
-{
-    arguments.insert(arguments.begin(), "gnuplot");
-    ProgramRun ran = runProgram(folder, std::move(arguments));
-    if (ran.error != 0)
+    // Debian's Python has Debian's packages, even where another comes first.
+    for (const char* python : {"python3", "/usr/bin/python3"})
     {
-        throw Error(ErrorCode::missingProgram,
-                    fmt::format("gnuplot cannot be run: {}; install it with: apt-get install "
-                                "gnuplot-nox",
-                                std::strerror(ran.error)));
+        const ProgramRun ran = runProgram(".", {python, "-c", "import matplotlib"});
+        if (ran.error == 0 && ran.code == 0)
+        {
+            return python;
+        }
     }
-    return ran;
+    throw Error(ErrorCode::missingProgram,
+                "figures are drawn by Python's matplotlib, which is missing; install it with: "
+                "apt-get install python3-matplotlib, or pip install matplotlib");
 }
 
-} // namespace
-
-void requireGnuplot()
+void drawAnalysis(const std::string& python, const std::filesystem::path& folder,
+                  const std::vector<std::string>& names)
 {
-    static_cast<void>(runGnuplot(".", {"--version"}));
-}
-
-void drawAnalysis(const std::filesystem::path& folder, const std::vector<std::string>& names)
-{
-    writeScript(folder / "style.gp", embedded::plot_style());
-    for (const AnalysisPlot& plot : kPlots)
+    AtomicFile script(folder / "figures.py");
+    script.write(embedded::plot_figures());
+    script.commit();
+    std::vector<std::string> call = {python, "figures.py"};
+    call.insert(call.end(), names.begin(), names.end());
+    const ProgramRun ran = runProgram(folder, std::move(call));
+    if (ran.error != 0 || ran.code != 0)
     {
-        if (std::find(names.begin(), names.end(), plot.table) == names.end())
-        {
-            continue;
-        }
-        writeScript(folder / plot.script, plot.text());
-        for (const char* format : {"svg", "png"})
-        {
-            const ProgramRun ran =
-                runGnuplot(folder, {"-e", fmt::format("format='{}'", format), plot.script});
-            if (ran.code != 0)
-            {
-                throw Error(ErrorCode::writeFailed,
-                            fmt::format("gnuplot failed on {}: {}", (folder / plot.script).string(),
-                                        ran.said));
-            }
-        }
+        throw Error(
+            ErrorCode::writeFailed,
+            fmt::format("{} failed on {}: {}", python, (folder / "figures.py").string(), ran.said));
     }
 }
 

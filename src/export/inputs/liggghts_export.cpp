@@ -44,8 +44,7 @@ pair_coeff * *
 timestep ${{dt}}
 
 fix gravity all gravity ${{gravity}} vector {down}
-fix walls all mesh/surface file liggghts_walls.stl type 2 curvature 1e-5
-fix contact all wall/gran model hertz tangential history{rolling} mesh n_meshes 1 meshes walls
+{meshes}fix contact all wall/gran model hertz tangential history{rolling} mesh n_meshes {many} meshes{names}
 fix move all nve/sphere
 
 thermo_style custom step atoms ke
@@ -60,12 +59,30 @@ void writeLiggghts(const StartState& state, const std::vector<std::filesystem::p
 {
     const GrainLaw& law = state.law;
     const bool rolls = law.rollingFriction > 0;
+    std::string meshes;
+    std::string names;
+    TriangleMesh walls{state.walls.vertices, {}};
+    auto from = state.walls.triangles.begin();
+    for (std::size_t k = 0; k < state.patches.size(); ++k)
+    {
+        const MeshPatch& patch = state.patches[k];
+        meshes +=
+            fmt::format("fix mesh_{0} all mesh/surface file liggghts_{0}.stl type 2 curvature "
+                        "1e-5\n",
+                        patch.name);
+        names += fmt::format(" mesh_{}", patch.name);
+        walls.triangles.assign(from, from + static_cast<std::ptrdiff_t>(patch.triangles));
+        from += static_cast<std::ptrdiff_t>(patch.triangles);
+        writeStl(files[2 + k], walls, patch.name.c_str());
+    }
     AtomicFile script(files[0]);
     script.write(headingOf(state, "#"));
     script.write(fmt::format(
         fmt::runtime(kLiggghtsScript),
         fmt::arg("variables", scriptVariables(state, std::max(law.restitution, kLeastRestitution))),
-        fmt::arg("skin", 0.3 * state.smallest), fmt::arg("down", directionText(law.down, " ")),
+        fmt::arg("meshes", meshes), fmt::arg("many", state.patches.size()),
+        fmt::arg("names", names), fmt::arg("skin", 0.3 * state.smallest),
+        fmt::arg("down", directionText(law.down, " ")),
         fmt::arg("rolling", rolls ? " rolling_friction epsd2" : ""),
         fmt::arg("rollingProperty",
                  rolls ? "fix rolling all property/global coefficientRollingFriction "
@@ -74,7 +91,6 @@ void writeLiggghts(const StartState& state, const std::vector<std::filesystem::p
                        : "")));
     script.commit();
     writeDataFile(files[1], state, 2 * state.largest, [](const StartSphere&) { return 1; });
-    writeStl(files[2], state.walls, "walls");
 }
 
 } // namespace

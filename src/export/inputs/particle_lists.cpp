@@ -30,26 +30,7 @@ void writeMercuryDpm(const StartState& state, const std::vector<std::filesystem:
 
 /// MFiX skips the first 18 lines, reads numbers behind the first word of the others, and takes
 /// spheres from line 35.
-constexpr const char* kMfixHead =
-    R"(Version 2.0
-========================================================================
-Instructions:
-Dimension: Enter "2" for 2D, "3" for 3D (Integer)
-Particles: Number of particles to read from this file (Integer)
-For each variable, enter whether it will be read from the file
-("T" to be read (True), "F" to not be read (False)). When not read, enter the
-default values assign to all particles.
-Coordinates are always read (X,Y in 2D, X,Y,Z in 3D)
-Phase_ID, Diameter, Density, Temperature are scalars
-Velocity requires U,V in 2D, U,V,W in 3D
-Temperature is only read/set if the energy equation is solved
-Species are only read/set if the species equations are solved, and requires
-all species to be set (if phase 1 has 2 species and phase 2 has 4 species,
-all particles must have 4 entries, even phase 1 particles (pad list with zeros)
-User scalars need DES_USR_VAR_SIZE values
-Data starts at line 35. Each column correspond to a variable.
-========================================================================
-Dimension:    3
+constexpr const char* kMfixHead = R"(Dimension:    3
 Particles:    {}
 ========================================================================
 Variable      Read(T/F)     Default value (when Read=F)
@@ -70,6 +51,11 @@ X                     Y                     Z                     Diameter
 void writeMfix(const StartState& state, const std::vector<std::filesystem::path>& files)
 {
     AtomicFile data(files[0]);
+    data.write("Version 2.0\n");
+    for (int line = 1; line < 18; ++line)
+    {
+        data.write("#\n");
+    }
     data.write(fmt::format(fmt::runtime(kMfixHead), state.spheres.size(), 2 * state.largest,
                            state.law.density));
     for (const StartSphere& sphere : state.spheres)

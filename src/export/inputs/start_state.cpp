@@ -62,7 +62,7 @@ public:
                   const std::filesystem::path& folder)
         : write_(write), run_(run)
     {
-        for (const std::string& name : exportFiles(format, {}))
+        for (const std::string& name : exportFiles(format, run))
         {
             files_.push_back(folder / name);
         }
@@ -100,6 +100,7 @@ StartState startStateOf(const ExportedRun& run, const ExportedFrame& frame)
     state.smallest = state.largest = state.spheres.front().radius;
     state.walls.triangles = run.mesh.triangles;
     state.walls.triangles.resize(run.mesh.triangles.size() - run.lids);
+    state.patches = wallsOf(run);
     for (const Eigen::Vector3d& vertex : run.mesh.vertices)
     {
         state.walls.vertices.push_back(frame.inWorld(vertex));

@@ -48,7 +48,8 @@ struct StartState
     std::vector<StartSphere> spheres;
     double smallest = 0, largest = 0; ///< radius
     TriangleMesh walls;
-    Eigen::AlignedBox3d box; ///< around spheres and walls
+    std::vector<MeshPatch> patches; ///< of the walls, in their order
+    Eigen::AlignedBox3d box;        ///< around spheres and walls
     GrainLaw law;
     double unitsPerMetre = 1;
 };

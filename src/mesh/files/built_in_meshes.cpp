@@ -2,6 +2,7 @@
 #include "mesh/files/containers.hpp"
 #include "mesh/files/embedded_meshes.hpp"
 #include "mesh/files/readers.hpp"
+#include "mesh/repair/patches.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
@@ -79,12 +80,17 @@ TriangleMesh builtInMesh(std::string_view name)
 
 LoadedMesh loadMesh(const std::string& nameOrFile, const LoadMeshOptions& options)
 {
+    if (isBuiltInMesh(nameOrFile))
+    {
+        return repairMesh(builtInMesh(nameOrFile), nameOrFile, options);
+    }
     std::vector<std::string> remarks;
-    LoadedMesh loaded =
-        repairMesh(isBuiltInMesh(nameOrFile) ? builtInMesh(nameOrFile)
-                                             : readMeshSandboxed(nameOrFile, &remarks),
-                   nameOrFile, options);
+    std::vector<MeshPatch> patches;
+    TriangleMesh mesh = readMeshSandboxed(nameOrFile, &remarks, &patches);
+    const TriangleMesh read = patches.empty() ? TriangleMesh() : mesh;
+    LoadedMesh loaded = repairMesh(std::move(mesh), nameOrFile, options);
     loaded.repairs.insert(loaded.repairs.begin(), remarks.begin(), remarks.end());
+    findPatchesAgain(loaded, read, patches);
     return loaded;
 }
 

@@ -26,7 +26,7 @@ constexpr std::array<ForeignFormat, 11> kForeignFormats = {{
     {"BLENDER", "a Blender file"},
     {"DRACO", "compressed with Draco"},
     {"ISO-10303-21", "a STEP file, of curved surfaces"},
-    {"#VRML", "a VRML file"},
+    {"#VRML", "a VRML 1.0 file"},
     {"# .PCD", "a point cloud (PCD)"},
     {"LASF", "a point cloud (LAS)"},
     {"$MeshFormat", "a Gmsh file"},
@@ -41,13 +41,14 @@ struct KnownFormat
     FileKind kind;
 };
 
-constexpr std::array<KnownFormat, 8> kKnownFormats = {{{"glTF", FileKind::gltf},
+constexpr std::array<KnownFormat, 9> kKnownFormats = {{{"glTF", FileKind::gltf},
                                                        {"<COLLADA", FileKind::dae},
                                                        {"Kaydara FBX Binary", FileKind::fbx},
                                                        {"; FBX", FileKind::fbx},
                                                        {"<X3D", FileKind::x3d},
                                                        {"PK\x03\x04", FileKind::threeMf},
                                                        {"# vtk", FileKind::vtk},
+                                                       {"#VRML V2.0", FileKind::vrml},
                                                        {"<VTKFile", FileKind::vtp}}};
 
 /// Of a table of beginnings, the format whose beginning a file has.
@@ -166,7 +167,7 @@ FileKind kindOf(std::string_view bytes, std::string_view ending)
         throw Unreadable(
             "its content is none of the formats that can be read, and it does not end "
             "in .obj, .stl, .ply, .off, .gltf or .glb; convert the mesh to one of these, VTP, DAE, "
-            "FBX, X3D or 3MF");
+            "FBX, X3D, 3MF or VRML 97");
     }
     return *byEnding;
 }

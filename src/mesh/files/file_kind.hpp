@@ -15,6 +15,7 @@ enum class FileKind
     binaryStl,
     vtk,
     vtp,
+    vrml,
     gltf, // this and what follows: scenes
     dae,
     fbx,

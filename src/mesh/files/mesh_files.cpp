@@ -16,9 +16,9 @@ namespace frostfill
 namespace
 {
 
-constexpr std::array<std::string_view, 13> kEndings = {".obj", ".stl", ".ply", ".off", ".gltf",
+constexpr std::array<std::string_view, 14> kEndings = {".obj", ".stl", ".ply", ".off", ".gltf",
                                                        ".glb", ".dae", ".fbx", ".x3d", ".3mf",
-                                                       ".vtk", ".vtp", ".vtu"};
+                                                       ".vtk", ".vtp", ".vtu", ".wrl"};
 
 bool endsAsMesh(const std::filesystem::path& file)
 {

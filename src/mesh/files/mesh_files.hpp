@@ -16,8 +16,9 @@ namespace frostfill
 [[nodiscard]] std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path& given);
 
 /// readMesh of bytes in memory. `file` gives the name's ending and is named in messages;
-/// only glTF is read from it. Throws Error badData.
+/// only glTF is read from it. `solids` gets those of a text STL. Throws Error badData.
 [[nodiscard]] TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
-                                     std::vector<std::string>* remarks = nullptr);
+                                     std::vector<std::string>* remarks = nullptr,
+                                     std::vector<MeshPatch>* solids = nullptr);
 
 } // namespace frostfill

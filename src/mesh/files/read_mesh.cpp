@@ -53,7 +53,7 @@ std::string contentOf(const std::filesystem::path& file)
 }
 
 TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesystem::path& file,
-                   std::vector<std::string>& remarks)
+                   std::vector<std::string>& remarks, std::vector<MeshPatch>& solids)
 {
     switch (kind)
     {
@@ -64,13 +64,16 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
     case FileKind::ply:
         return readPly(bytes, remarks);
     case FileKind::asciiStl:
-        return readAsciiStl(bytes);
+        return readAsciiStl(bytes, solids);
     case FileKind::binaryStl:
         return readBinaryStl(bytes);
     case FileKind::vtk:
         return readVtk(bytes);
     case FileKind::vtp:
         return readVtp(bytes);
+    case FileKind::vrml:
+        return readScene(std::filesystem::path(file).replace_extension("x3d"), x3dOfVrml(bytes),
+                         "x3d");
     default:
         break;
     }
@@ -80,7 +83,7 @@ TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesyste
 } // namespace
 
 TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
-                       std::vector<std::string>* remarks)
+                       std::vector<std::string>* remarks, std::vector<MeshPatch>* solids)
 {
     try
     {
@@ -96,7 +99,8 @@ TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
             bytes = decodeText(std::move(bytes));
         }
         std::vector<std::string> overlooked;
-        TriangleMesh mesh = parse(bytes, kindOf(bytes, endingOf(name)), name, overlooked);
+        std::vector<MeshPatch> found;
+        TriangleMesh mesh = parse(bytes, kindOf(bytes, endingOf(name)), name, overlooked, found);
         if (const auto fault = findInvalidData(mesh))
         {
             throw Unreadable(*fault + "; export the mesh again");
@@ -105,6 +109,10 @@ TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
         if (remarks != nullptr)
         {
             remarks->insert(remarks->end(), overlooked.begin(), overlooked.end());
+        }
+        if (solids != nullptr)
+        {
+            *solids = std::move(found);
         }
         return mesh;
     }
@@ -115,25 +123,42 @@ TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
     }
 }
 
-TriangleMesh readMesh(const std::filesystem::path& file, std::vector<std::string>* remarks)
+TriangleMesh readMesh(const std::filesystem::path& file, std::vector<std::string>* remarks,
+                      std::vector<MeshPatch>* patches)
 {
     TriangleMesh all;
+    std::vector<MeshPatch> found;
     const std::vector<std::filesystem::path> files = filesOfMesh(file);
     for (const std::filesystem::path& each : files)
     {
-        TriangleMesh patch = parseMesh(contentOf(each), each, remarks);
+        std::vector<MeshPatch> solids;
+        TriangleMesh part = parseMesh(contentOf(each), each, remarks, &solids);
+        if (solids.size() < 2)
+        {
+            const std::filesystem::path name = each.extension() == ".gz" ? each.stem() : each;
+            solids = {{name.stem().string(), part.triangles.size()}};
+        }
+        found.insert(found.end(), solids.begin(), solids.end());
         if (files.size() == 1)
         {
-            return patch;
+            all = std::move(part);
+            break;
         }
         const auto first = static_cast<std::uint32_t>(all.vertices.size());
-        all.vertices.insert(all.vertices.end(), patch.vertices.begin(), patch.vertices.end());
-        for (const auto& [a, b, c] : patch.triangles)
+        all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
+        for (const auto& [a, b, c] : part.triangles)
         {
             all.triangles.push_back({a + first, b + first, c + first});
         }
     }
-    weldEqualVertices(all);
+    if (files.size() > 1)
+    {
+        weldEqualVertices(all);
+    }
+    if (patches != nullptr && found.size() > 1)
+    {
+        *patches = std::move(found);
+    }
     return all;
 }
 

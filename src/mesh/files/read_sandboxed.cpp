@@ -2,10 +2,12 @@
 // Reading a mesh from an untrusted source. Assimp 5.2.5, the reader of glTF in Debian 12,
 // crashes, hangs or fills the memory on damaged files; in a child process that costs a sentence.
 // The other readers are not known to, and are sandboxed nevertheless.
+#include "base/read_number.hpp"
 #include "mesh/files/mesh_files.hpp"
 #include "mesh/files/sandbox.hpp"
 #include "mesh/files/unpack.hpp"
 #include "mesh/repair/clean_mesh.hpp"
+#include "mesh/repair/patches.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
@@ -81,6 +83,18 @@ std::vector<char> joined(const std::vector<std::string>& sentences)
     return text;
 }
 
+std::vector<std::string> linesOf(const std::vector<char>& text)
+{
+    std::vector<std::string> lines;
+    for (auto from = text.begin(); from != text.end();)
+    {
+        const auto end = std::find(from, text.end(), '\n');
+        lines.emplace_back(from, end);
+        from = end + 1;
+    }
+    return lines;
+}
+
 /// Whole lines of ASCII, which no terminal takes for anything else.
 bool isText(const std::vector<char>& text)
 {
@@ -91,38 +105,54 @@ bool isText(const std::vector<char>& text)
 
 } // namespace
 
-TriangleMesh readMeshSandboxed(const std::filesystem::path& file, std::vector<std::string>* remarks)
+TriangleMesh readMeshSandboxed(const std::filesystem::path& file, std::vector<std::string>* remarks,
+                               std::vector<MeshPatch>* patches)
 {
     const std::string subject = fmt::format("'{}' cannot be read as a mesh", file.string());
-    TriangleMesh mesh; // filled in the child, and here from what it sends
+    TriangleMesh mesh; // these are filled in the child, and here from what it sends
     std::vector<char> overlooked;
-    std::array<std::uint64_t, 3> counts{};
-    const SandboxedBytes bytes =
-        runSandboxed(limitsFor(file), subject,
-                     [&]() -> SandboxReport
-                     {
-                         std::vector<std::string> sentences;
-                         mesh = readMesh(file, &sentences);
-                         overlooked = joined(sentences);
-                         counts = {mesh.vertices.size(), mesh.triangles.size(), overlooked.size()};
-                         return {bytesOf(&counts[0], 1), bytesOf(mesh.vertices.data(), counts[0]),
-                                 bytesOf(&counts[1], 1), bytesOf(mesh.triangles.data(), counts[1]),
-                                 bytesOf(&counts[2], 1), bytesOf(overlooked.data(), counts[2])};
-                     });
+    std::vector<char> parts; // by turns a name and a number of triangles
+    std::array<std::uint64_t, 4> counts{};
+    const SandboxedBytes bytes = runSandboxed(
+        limitsFor(file), subject,
+        [&]() -> SandboxReport
+        {
+            std::vector<std::string> sentences;
+            std::vector<MeshPatch> found;
+            mesh = readMesh(file, &sentences, &found);
+            overlooked = joined(sentences);
+            sentences.clear();
+            for (const MeshPatch& patch : found)
+            {
+                sentences.push_back(wordOfPatch(patch.name));
+                sentences.push_back(std::to_string(patch.triangles));
+            }
+            parts = joined(sentences);
+            counts = {mesh.vertices.size(), mesh.triangles.size(), overlooked.size(), parts.size()};
+            return {bytesOf(&counts[0], 1), bytesOf(mesh.vertices.data(), counts[0]),
+                    bytesOf(&counts[1], 1), bytesOf(mesh.triangles.data(), counts[1]),
+                    bytesOf(&counts[2], 1), bytesOf(overlooked.data(), counts[2]),
+                    bytesOf(&counts[3], 1), bytesOf(parts.data(), counts[3])};
+        });
     // What came out of the sandbox is believed no more than the file: a reader that was led astray
     // may have sent anything.
     std::string_view rest = bytes.view();
     if (!take(rest, mesh.vertices) || !take(rest, mesh.triangles) || !take(rest, overlooked) ||
-        !rest.empty() || !isText(overlooked) || findInvalidData(mesh))
+        !take(rest, parts) || !rest.empty() || !isText(overlooked) || !isText(parts) ||
+        findInvalidData(mesh))
     {
         throw Error(ErrorCode::badData, subject + ": the reader returned an invalid mesh; export "
                                                   "the mesh again, in another format if need be");
     }
-    for (auto from = overlooked.begin(); remarks != nullptr && from != overlooked.end();)
+    if (remarks != nullptr)
     {
-        const auto end = std::find(from, overlooked.end(), '\n');
-        remarks->emplace_back(from, end);
-        from = end + 1;
+        const std::vector<std::string> sentences = linesOf(overlooked);
+        remarks->insert(remarks->end(), sentences.begin(), sentences.end());
+    }
+    const std::vector<std::string> found = linesOf(parts);
+    for (std::size_t k = 1; patches != nullptr && k < found.size(); k += 2)
+    {
+        patches->push_back({found[k - 1], readNumber<std::size_t>(found[k]).value_or(0)});
     }
     return mesh;
 }

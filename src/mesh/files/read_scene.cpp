@@ -71,6 +71,43 @@ void refuseBrokenChunks(std::string_view bytes)
     }
 }
 
+/// X3D without its groups of nothing: assimp closes each twice, and what follows then lies in the
+/// parent of its group. A group that repeats another (USE) is no such.
+std::string withoutEmptyGroups(std::string_view text)
+{
+    constexpr std::array<std::string_view, 4> kGroups = {"Transform", "Group", "StaticGroup",
+                                                         "Switch"};
+    std::string kept;
+    std::vector<std::size_t> open; // where groups begin that have nothing yet
+    std::size_t end = 0;
+    for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<', end))
+    {
+        const bool isComment = text.substr(at).starts_with("<!--");
+        kept += text.substr(end, at - end);
+        end = std::min(text.find(isComment ? "-->" : ">", at), text.size() - 1) + 1;
+        const std::string_view tag = text.substr(at, end - at);
+        const bool closes = tag.starts_with("</");
+        const std::string_view name = tag.substr(closes ? 2 : 1);
+        const bool isGroup =
+            std::find(kGroups.begin(), kGroups.end(),
+                      name.substr(0, name.find_first_of(" \t\r\n/>"))) != kGroups.end() &&
+            tag.find("USE=") == std::string_view::npos;
+        if (isComment || (isGroup && tag.ends_with("/>")))
+        {
+            continue;
+        }
+        if (isGroup && closes && !open.empty())
+        {
+            kept.resize(open.back());
+            open.pop_back();
+            continue;
+        }
+        isGroup && !closes ? open.push_back(kept.size()) : open.clear();
+        kept += tag;
+    }
+    return kept;
+}
+
 /// Assimp has some fifty readers and also chooses by content. All unused readers are removed, so a
 /// rarely tested one never sees a file.
 void removeOtherImporters(Assimp::Importer& importer, std::string_view ending)
@@ -198,8 +235,9 @@ TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes
         refuseExtensions(bytes);
         refuseBrokenChunks(bytes);
     }
+    const std::string cleared = ending == "x3d" ? withoutEmptyGroups(bytes) : std::string();
     Assimp::Importer importer;
-    importer.SetIOHandler(new OneFileIo(file, bytes)); // assimp takes ownership
+    importer.SetIOHandler(new OneFileIo(file, ending == "x3d" ? cleared : bytes)); // it is assimp's
     removeOtherImporters(importer, ending);
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr)

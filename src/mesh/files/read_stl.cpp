@@ -55,18 +55,33 @@ public:
         }
         mesh_.addFace(place.number, corners_);
         corners_.clear();
+        ++solids_.back().triangles;
+        ++facets_;
     }
 
-    TriangleMesh take() { return mesh_.take(); }
+    void beginSolid(std::string_view name) { solids_.push_back({std::string(name), 0}); }
+
+    TriangleMesh take(std::vector<MeshPatch>& solids)
+    {
+        TriangleMesh mesh = mesh_.take();
+        solids = std::move(solids_);
+        if (mesh.triangles.size() != facets_)
+        {
+            solids.clear();
+        }
+        return mesh;
+    }
 
 private:
     PolygonMesh mesh_{"line"};
     std::vector<std::int64_t> corners_;
+    std::vector<MeshPatch> solids_;
+    std::size_t facets_ = 0;
 };
 
 } // namespace
 
-TriangleMesh readAsciiStl(std::string_view text)
+TriangleMesh readAsciiStl(std::string_view text, std::vector<MeshPatch>& solids)
 {
     Facets facets;
     TextScanner scanner(text);
@@ -80,9 +95,13 @@ TriangleMesh readAsciiStl(std::string_view text)
                                                   "again",
                                                   quoted(word)));
         }
+        if (!isInSolid)
+        {
+            facets.beginSolid(scanner.word());
+        }
         if (!isInSolid || isKeyword(word, "endsolid"))
         {
-            scanner.skipLine(); // its name
+            scanner.skipLine(); // what is left of its name
             isInSolid = !isInSolid;
         }
         else if (isKeyword(word, "vertex"))
@@ -102,7 +121,7 @@ TriangleMesh readAsciiStl(std::string_view text)
         refuseAt(scanner.place(), "the file ends before its 'endsolid'; it is cut off: export the "
                                   "mesh again");
     }
-    return facets.take();
+    return facets.take(solids);
 }
 
 bool hasSizeOfBinaryStl(std::string_view bytes)

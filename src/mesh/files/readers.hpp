@@ -6,6 +6,7 @@
 
 #include <frostfill/mesh.hpp>
 
+#include <string>
 #include <string_view>
 
 namespace frostfill
@@ -21,7 +22,8 @@ namespace frostfill
 /// Lines of text may have more values than the header says; `remarks` gets a sentence then.
 [[nodiscard]] TriangleMesh readPly(std::string_view bytes, std::vector<std::string>& remarks);
 
-[[nodiscard]] TriangleMesh readAsciiStl(std::string_view text);
+/// `solids` gets those of the file, or nothing if some of its facets are no triangles.
+[[nodiscard]] TriangleMesh readAsciiStl(std::string_view text, std::vector<MeshPatch>& solids);
 [[nodiscard]] TriangleMesh readBinaryStl(std::string_view bytes);
 
 /// Whether the size is exactly that of a binary STL with as many triangles as it promises.
@@ -36,5 +38,8 @@ namespace frostfill
 /// `bytes` are the file's content.
 [[nodiscard]] TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes,
                                      std::string_view ending);
+
+/// What VRML 97 shows, as X3D.
+[[nodiscard]] std::string x3dOfVrml(std::string_view text);
 
 } // namespace frostfill

@@ -95,7 +95,7 @@ std::string quoted(std::string_view word)
     std::string text(word.substr(0, kLongestQuote));
     for (char& c : text)
     {
-        c = c < ' ' || c == '\x7f' ? '?' : c; // also all that is no ASCII
+        c = c >= ' ' && c <= '~' ? c : '?'; // whether or not char has a sign
     }
     return "'" + text + (word.size() > kLongestQuote ? "...'" : "'");
 }
@@ -104,7 +104,7 @@ TextScanner::TextScanner(std::string_view text, Rules rules, std::uint64_t first
     : text_(text), line_(firstLine)
 {
     const auto set = [&](char c, Kind kind) { kinds_[static_cast<unsigned char>(c)] = kind; };
-    for (const char blank : {' ', '\t', '\v', '\f'})
+    for (const char blank : {' ', '\t', '\v', '\f', rules.blank})
     {
         set(blank, Kind::blank);
     }
@@ -113,6 +113,10 @@ TextScanner::TextScanner(std::string_view text, Rules rules, std::uint64_t first
     if (rules.comment != '\0')
     {
         set(rules.comment, Kind::comment);
+    }
+    for (const char mark : rules.marks)
+    {
+        set(mark, Kind::mark);
     }
     if (rules.continues)
     {
@@ -146,6 +150,16 @@ void TextScanner::skipLine()
     {
         ++at_;
     }
+}
+
+void TextScanner::skipQuoted()
+{
+    while (at_ < text_.size() && text_[at_] != '"')
+    {
+        at_ += text_[at_] == '\\' ? 1 : 0;
+        at_ < text_.size() && kindAt(at_) == Kind::endOfLine ? skipEndOfLine() : void(++at_);
+    }
+    at_ = std::min(at_ + 1, text_.size());
 }
 
 void TextScanner::skipEndOfLine()
@@ -189,6 +203,10 @@ std::string_view TextScanner::word()
     started_ = true;
     skipBlanks();
     const std::size_t begin = at_;
+    if (kindAt(at_) == Kind::mark)
+    {
+        return text_.substr(at_++, 1);
+    }
     // A comment begins only where a word could: 1.#IND is one word.
     while (kindAt(at_) == Kind::ofWord || (kindAt(at_) == Kind::comment && at_ > begin) ||
            (kindAt(at_) == Kind::backslash && !joinsLines(at_)))

@@ -23,7 +23,9 @@ class TextScanner
 public:
     struct Rules
     {
-        char comment = '\0';    ///< in place of a word: leaves the rest of the line; 0: none does
+        char comment = '\0'; ///< in place of a word: leaves the rest of the line; 0: none does
+        char blank = ' ';    ///< that parts words, beside space and tab
+        std::string_view marks = {}; ///< each a word by itself
         bool continues = false; ///< a backslash at the end of a line joins it with the next one
     };
 
@@ -35,6 +37,9 @@ public:
 
     /// Leaves what is left of this line.
     void skipLine();
+
+    /// Leaves a text up to its closing quote, of which a backslash before it makes none.
+    void skipQuoted();
 
     /// The next word of this line; empty at its end.
     std::string_view word();
@@ -62,6 +67,7 @@ private:
         blank,
         endOfLine,
         comment,
+        mark,
         backslash ///< only where it can join lines
     };
 

@@ -21,7 +21,7 @@ struct Spheres
 
 inline Bed bedOf(const TriangleMesh& mesh, const Spheres& spheres, const BedSettings& settings)
 {
-    return Bed(mesh, spheres.centres, spheres.radii, Eigen::Vector3d::UnitY(), settings);
+    return Bed({mesh}, spheres.centres, spheres.radii, Eigen::Vector3d::UnitY(), settings);
 }
 
 /// A face-centred crystal of unit spheres in a box that it touches: 12 contacts inside.
@@ -104,9 +104,9 @@ inline TriangleMesh welded(const BedSurface& surface)
 {
     TriangleMesh mesh;
     std::map<std::array<float, 3>, std::uint32_t> known;
-    for (std::size_t patch = 0; patch < kBedPatches.size(); ++patch)
+    for (std::size_t patch = 0; patch < surface.bed().patches().size(); ++patch)
     {
-        surface.forEachPart(static_cast<BedPatch>(patch),
+        surface.forEachPart(patch,
                             [&](std::span<const StlTriangle> triangles)
                             {
                                 for (const StlTriangle& triangle : triangles)

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Geometry of a run, read by the programs that it is meant for, where they are installed.
+#include "output/stl_text.hpp"
 #include "support/expect_error.hpp"
 #include "unit/export/exported_run.hpp"
 
 #include <frostfill/export.hpp>
+#include <frostfill/fill.hpp>
 #include <frostfill/mesh.hpp>
+#include <frostfill/packing.hpp>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <string>
+#include <tuple>
+#include <vector>
 
 namespace frostfill
 {
@@ -159,6 +165,94 @@ TEST_F(BedFiles, OfOpenFoamAreMeshedWithTheirPatches)
     {
         EXPECT_NE(boundary.find(fmt::format("    {}\n", patch)), std::string::npos) << boundary;
     }
+}
+
+/// A cube of edge 2, as three files beside a run that has filled it.
+class VesselOfFiles : public BedFiles
+{
+protected:
+    VesselOfFiles()
+    {
+        const TriangleMesh cube =
+            boxMesh(Eigen::AlignedBox3d(Eigen::Vector3d(-1, -1, -1), Eigen::Vector3d(1, 1, 1)));
+        for (const auto& [name, low, high] :
+             {std::tuple("bottom", -4, -2), {"wall", -2, 2}, {"lid", 2, 4}})
+        {
+            TriangleMesh part{cube.vertices, {}};
+            for (const auto& [a, b, c] : cube.triangles)
+            {
+                const double sum =
+                    cube.vertices[a].y() + cube.vertices[b].y() + cube.vertices[c].y();
+                if (sum > low && sum < high)
+                {
+                    part.triangles.push_back({a, b, c});
+                }
+            }
+            writeStl(folder_ / (std::string(name) + ".stl"), part, name);
+        }
+        FillRequest request;
+        const std::string files = (folder_ / "wall.stl").string() + "+" +
+                                  (folder_ / "lid.stl").string() + "+" +
+                                  (folder_ / "bottom.stl").string();
+        request.scene = presetScene(Preset::fast, files);
+        request.scene.spheres.count = 20;
+        request.scene.spheres.radius = 0.28;
+        request.scene.rest.mode = Rest::joint;
+        request.scene.frames.enabled = false;
+        request.scene.frames.keepRun = true;
+        request.directory = folder_.path();
+        request.overwrite = true;
+        EXPECT_FALSE(frostfill::fill(request).failure);
+    }
+};
+
+TEST_F(VesselOfFiles, HasTheirNamesInTextStl)
+{
+    write(ExportFormat::stlBed, "shrink:0.99", 4, true);
+    std::vector<MeshPatch> patches;
+    const TriangleMesh mesh = readMeshSandboxed(folder_ / "out/bed.stl", nullptr, &patches);
+    std::string names;
+    for (const MeshPatch& patch : patches)
+    {
+        names += fmt::format("{} {} ", patch.name, patch.triangles);
+    }
+    EXPECT_EQ(names,
+              fmt::format("bottom 2 lid 2 wall 8 patch_spheres {} ", mesh.triangles.size() - 12));
+}
+
+TEST_F(VesselOfFiles, HasTheirNamesInOpenFoam)
+{
+    if (!isThere("which snappyHexMesh"))
+    {
+        GTEST_SKIP() << "snappyHexMesh is not installed";
+    }
+    write(ExportFormat::openFoam);
+    EXPECT_EQ(run(std::string(kOpenFoam) + "cd openfoam && sed -i 's/endTime 200/endTime 3/' "
+                                           "system/controlDict && ./Allrun"),
+              0)
+        << said();
+    EXPECT_TRUE(has("Time = 3")) << said();
+    const std::string boundary = readFile(folder_ / "out/openfoam/constant/polyMesh/boundary");
+    for (const char* patch : {"bottom", "wall", "lid", "spheres"})
+    {
+        EXPECT_NE(boundary.find(fmt::format("    {}\n", patch)), std::string::npos) << boundary;
+    }
+}
+
+TEST_F(VesselOfFiles, HasTheirNamesInLiggghts)
+{
+    if (!isThere("which liggghts"))
+    {
+        GTEST_SKIP() << "liggghts is not installed";
+    }
+    write(ExportFormat::liggghts);
+    EXPECT_EQ(run("liggghts -in liggghts.in -log none"), 0) << said();
+    const Packing after = readPacking(folder_ / "out/liggghts.dump");
+    for (const Eigen::Vector3d& centre : after.centres)
+    {
+        EXPECT_LT(centre.cwiseAbs().maxCoeff(), 1 - 0.27);
+    }
+    EXPECT_EQ(after.centres.size(), 20U);
 }
 
 TEST_F(BedFiles, OfVoxelsHaveTheDistancesOfTheirSpheresAndAreReadByVtk)

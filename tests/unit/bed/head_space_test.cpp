@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace frostfill
@@ -25,7 +26,9 @@ TEST(HeadSpace, IsCutOffAnyContainerAndLeavesItClosed)
     {
         SCOPED_TRACE(one.mesh);
         const TriangleMesh mesh = builtInMesh(one.mesh);
-        const TriangleMesh rest = cutBelow(mesh, Eigen::Vector3d::Unit(one.up), one.height);
+        std::vector<std::size_t> origins;
+        const TriangleMesh rest =
+            cutBelow(mesh, Eigen::Vector3d::Unit(one.up), one.height, origins);
         const MeshReport report = inspectMesh(rest);
         EXPECT_TRUE(report.closed());
         EXPECT_EQ(report.unusedVertices, 0U);
@@ -37,7 +40,11 @@ TEST(HeadSpace, IsCutOffAnyContainerAndLeavesItClosed)
 TEST(HeadSpace, StaysWhereACutHasAHoleOrMissesTheContainer)
 {
     const auto cut = [](const char* mesh, double height)
-    { return cutBelow(builtInMesh(mesh), Eigen::Vector3d::UnitY(), height).triangles.size(); };
+    {
+        std::vector<std::size_t> origins;
+        return cutBelow(builtInMesh(mesh), Eigen::Vector3d::UnitY(), height, origins)
+            .triangles.size();
+    };
     EXPECT_EQ(cut("annulus:2,1,4", 1), 0U);
     EXPECT_EQ(cut("box:1,1,1", 2), 0U);
 }
@@ -49,12 +56,37 @@ TEST(HeadSpace, EndsADiameterAboveTheSpheresAndIsKeptWhereItIsNoMore)
     const auto topOver = [&](double height)
     {
         const std::vector<Eigen::Vector3d> centres = {{0, 0.25, 0}, {0, height, 0}};
-        const TriangleMesh rest = withoutHeadSpace(tube, Eigen::Vector3d::UnitY(), centres, radii);
+        const TriangleMesh rest =
+            withoutHeadSpace({tube}, Eigen::Vector3d::UnitY(), centres, radii).mesh;
         EXPECT_TRUE(inspectMesh(rest).closed());
         return boundingBox(rest).max().y();
     };
     EXPECT_NEAR(topOver(0.75), 1.5, 1e-4);
     EXPECT_EQ(topOver(2.9), 4);
+}
+
+TEST(HeadSpace, LeavesThePartsThatAreBelowAndNoneToTheNewTop)
+{
+    BedContainer container{builtInMesh("box:2,4,2"), {"low", "high", "side"}};
+    for (std::size_t t = 0; t < container.mesh.triangles.size(); ++t)
+    {
+        double sum = 0;
+        for (const std::uint32_t corner : container.mesh.triangles[t])
+        {
+            sum += container.mesh.vertices[corner].y();
+        }
+        container.partOf.push_back(sum == 0 ? 0U : sum == 12 ? 1U : 2U);
+    }
+    const std::vector<Eigen::Vector3d> centres = {{0, 0.5, 0}};
+    const std::vector<double> radii = {0.5};
+    const BedContainer rest = withoutHeadSpace(container, Eigen::Vector3d::UnitY(), centres, radii);
+    ASSERT_EQ(rest.partOf.size(), rest.mesh.triangles.size());
+    const auto count = [&](std::uint32_t part)
+    { return std::count(rest.partOf.begin(), rest.partOf.end(), part); };
+    EXPECT_EQ(count(0), 2);
+    EXPECT_EQ(count(1), 0);
+    EXPECT_GE(count(2), 8);
+    EXPECT_EQ(count(BedContainer::kNoPart), 6); // the rim has eight edges
 }
 
 } // namespace

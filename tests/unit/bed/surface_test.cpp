@@ -3,6 +3,7 @@
 #include "support/expect_error.hpp"
 #include "unit/bed/bed_on_the_spot.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -168,23 +169,75 @@ TEST(BedSurface, HasTheSamePartsForAnyNumberOfThreads)
         const Bed bed = bedOf(shapes::box({-1, -1, -1}, {1, 1, 1}), spheres, settings);
         const BedSurface surface(bed);
         std::vector<StlTriangle> all;
-        surface.forEachPart(BedPatch::spheres, [&](std::span<const StlTriangle> part)
+        surface.forEachPart(bed.patches().size() - 1, [&](std::span<const StlTriangle> part)
                             { all.insert(all.end(), part.begin(), part.end()); });
         first = first.empty() ? all : first;
         EXPECT_TRUE(all == first);
     }
 }
 
+/// Names of the patches of a bed, each with its kind and its number of triangles.
+std::string patchesOf(const BedContainer& container)
+{
+    const Bed bed(container, {{1, 0, 0}}, {0.2}, Eigen::Vector3d::UnitY(), {});
+    const BedSurface surface(bed);
+    std::string text;
+    for (std::size_t k = 0; k + 1 < bed.patches().size(); ++k)
+    {
+        const BedPatch& patch = bed.patches()[k];
+        text +=
+            fmt::format("{}:{}:{} ", patch.name, kPatchNames[static_cast<std::size_t>(patch.kind)],
+                        surface.triangles(k));
+    }
+    return text;
+}
+
 TEST(BedSurface, KnowsTheFlatEndsOfATubeAndNoneOfATorus)
 {
-    const test::Spheres one = {{{0, 0, 0}}, {0.5}};
-    const Bed box = bedOf(shapes::box({-1, -1, -1}, {1, 1, 1}, 2), one, {});
-    EXPECT_EQ(BedSurface(box).triangles(BedPatch::inlet), 8U);
-    EXPECT_EQ(BedSurface(box).triangles(BedPatch::outlet), 8U);
-    EXPECT_EQ(BedSurface(box).triangles(BedPatch::wall), 32U);
-    const Bed torus = bedOf(shapes::torus(), {{{1, 0, 0}}, {0.2}}, {});
-    EXPECT_FALSE(torus.has(BedPatch::inlet));
-    EXPECT_TRUE(torus.has(BedPatch::wall));
+    const TriangleMesh box = shapes::box({-2, -2, -2}, {2, 2, 2}, 2);
+    EXPECT_EQ(patchesOf({box}), "inlet:inlet:8 outlet:outlet:8 wall:wall:32 ");
+    const TriangleMesh torus = shapes::torus();
+    EXPECT_EQ(patchesOf({torus}), fmt::format("wall:wall:{} ", torus.triangles.size()));
+}
+
+TEST(BedSurface, HasThePatchesOfItsParts)
+{
+    const TriangleMesh box = shapes::box({-2, -2, -2}, {2, 2, 2}, 2);
+    enum Side
+    {
+        foot,
+        top,
+        left,
+        others
+    };
+    const auto partsOf = [&](std::array<std::uint32_t, 4> part, std::vector<std::string> names)
+    {
+        BedContainer container{box, std::move(names)};
+        for (const auto& triangle : box.triangles)
+        {
+            Eigen::AlignedBox3d around;
+            for (const std::uint32_t corner : triangle)
+            {
+                around.extend(box.vertices[corner]);
+            }
+            container.partOf.push_back(part[around.max().y() == -2   ? foot
+                                            : around.min().y() == 2  ? top
+                                            : around.max().x() == -2 ? left
+                                                                     : others]);
+        }
+        return patchesOf(container);
+    };
+    constexpr std::uint32_t kNo = BedContainer::kNoPart;
+    EXPECT_EQ(partsOf({0, 1, 2, 2}, {"sieve", "lid", "glass"}),
+              "sieve:inlet:8 lid:outlet:8 glass:wall:32 ");
+    // Of what is more than an end, and of lids, the ends have names of their own.
+    EXPECT_EQ(partsOf({0, kNo, 0, 0}, {"cup"}), "inlet:inlet:8 outlet:outlet:8 cup:wall:32 ");
+    EXPECT_EQ(partsOf({0, 1, 1, 1}, {"foot", "wall"}),
+              "foot:inlet:8 outlet:outlet:8 wall:wall:32 ");
+    EXPECT_EQ(partsOf({0, 0, 1, 0}, {"box", "inlet"}),
+              "inlet:inlet:8 outlet:outlet:8 box:wall:32 ");
+    EXPECT_EQ(partsOf({0, 1, 2, 2}, {"wall", "lid", "side"}),
+              "inlet:inlet:8 lid:outlet:8 side:wall:32 ");
 }
 
 TEST(BedSurface, RefusesWhatNoTreatmentParts)

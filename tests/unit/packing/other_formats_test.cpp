@@ -49,10 +49,11 @@ protected:
 
 TEST_F(OtherFormats, IncludeTheTextOfYadeInEachOfItsForms)
 {
-    expectTwo(read("#format x_y_z_r\n# a comment\n0.5\t-1\t2\t0.25\n1\t2\t-3e-3\t0.5\n"), "YADE");
-    expectTwo(read("#format id_x_y_z_r_matId\n7 0.5 -1 2 0.25 1\n8 1 2 -3e-3 0.5 1\n"), "YADE");
+    expectTwo(read("#format x_y_z_r\n# a comment\n0.5\t-1\t2\t0.25\n1\t2\t-3e-3\t0.5\n"),
+              "a table");
+    expectTwo(read("#format id_x_y_z_r_matId\n7 0.5 -1 2 0.25 1\n8 1 2 -3e-3 0.5 1\n"), "a table");
     expectTwo(read("#format x_y_z_r_attrs\n# x y z r v\n0.5 -1 2 0.25 9\n1 2 -3e-3 0.5 9\n"),
-              "YADE");
+              "a table");
 }
 
 TEST_F(OtherFormats, IncludeDataFilesOfLammpsInEachStyleOfSpheres)
@@ -175,7 +176,7 @@ TEST_F(OtherFormats, AreRefusedWithTheLineOfTheirFault)
     const std::vector<Wrong> cases = {
         {"", "#format x_y_r\n1 2 3\n", "line 1", "no column z"},
         {"", "#format x_y_z\n1 2 3\n", "line 1", "--radius"},
-        {"", "#format \n1 2 3 4\n", "line 1", "x_y_z_r"},
+        {"", "#format \n1 2 3 4\n", "line 1", "no column x"},
         {"", "#format x_y_z_r\n1 2 3 4\n1 2 3\n", "line 3", "3 values, where 4 are needed"},
         {"", "#format x_y_z_r\n1 2 3 nan\n", "line 2",
          "the radius of sphere 1 is nan, not above 0"},

@@ -3,13 +3,10 @@
 
 The readers follow the definitions of the formats, and ask for all that these ask for: counts, versions,
 types, lengths. Columns are read by the names that the file gives them."""
-import array
-import ast
 import csv
 import re
 import struct
 import sys
-import zipfile
 
 from by_hand_gltf import read_glb, read_instanced
 from by_hand_vtp import read_vtp
@@ -113,66 +110,8 @@ def read_dump(oracle):
     oracle.same("lines", at, len(lines))
 
 
-def npy_arrays(oracle, path):
-    """Arrays of an .npz file and their shapes, by the definition of .npy 1.0."""
-    kinds = {"<f8": "d", "<f4": "f", "<u4": "I", "<i8": "q", "|u1": "B", "<u2": "H", "<i4": "i"}
-    arrays, shapes = {}, {}
-    with zipfile.ZipFile(path) as archive:
-        assert archive.testzip() is None
-        for entry in archive.infolist():
-            oracle.equal("file in the archive", (entry.filename[-4:], entry.compress_type), (".npy", 0))
-            data = archive.read(entry)
-            magic, size = struct.unpack_from("<8sH", data)
-            oracle.equal("magic", magic, b"\x93NUMPY\x01\x00")
-            oracle.equal("alignment and end of the head", ((10 + size) % 64, data[9 + size:10 + size]), (0, b"\n"))
-            head = ast.literal_eval(data[10:10 + size].decode())
-            oracle.equal("keys of the head", sorted(head), ["descr", "fortran_order", "shape"])
-            oracle.equal("order", head["fortran_order"], False)
-            name, kind, count = entry.filename[:-4], kinds[head["descr"]], 1
-            for extent in head["shape"]:
-                count *= extent
-            oracle.same(f"bytes of {name}", len(data) - 10 - size, count * struct.calcsize("<" + kind))
-            arrays[name] = array.array(kind, data[10 + size:])
-            shapes[name] = head["shape"]
-    return arrays, shapes
-
-
-def read_npz(oracle):
-    arrays, shapes = npy_arrays(oracle, oracle.file("run.npz"))
-    spheres, frames, last = len(oracle.frames[-1]["ids"]), len(oracle.frames), oracle.frames[-1]
-    triangles = len(oracle.triangles)
-    known = {"centres": ("d", (frames, spheres, 3)), "states": ("B", (frames, spheres)),
-             "speeds": ("f", (frames, spheres)), "contacts": ("I", (frames, spheres)),
-             "polygons": ("B", (frames, triangles)),
-             "times": ("d", (frames,)), "steps": ("q", (frames,)), "frames": ("q", (frames,)),
-             "radii": ("d", (spheres,)), "groups": ("I", (spheres,)), "sets": ("I", (spheres,)),
-             "vertices": ("d", (len(oracle.vertices), 3)), "triangles": ("I", (triangles, 3))}
-    for name, (kind, shape) in known.items():
-        oracle.equal(f"type and shape of {name}", (arrays[name].typecode, shapes[name]), (kind, shape))
-    absent = {"states": 255, "speeds": 0, "contacts": 0}
-    for name, shape in shapes.items():
-        if name not in known:
-            oracle.equal(f"shape of {name}", shape in [(frames, spheres), (spheres,)], True)
-    for k, frame in enumerate(oracle.frames):
-        count, start = len(frame["ids"]), k * spheres
-        of_frame = {name: arrays[name][start:start + spheres] for name in arrays
-                    if shapes[name] == (frames, spheres)}
-        oracle.frame("npz", k, {name: values[:count] for name, values in of_frame.items()})
-        for name, value in absent.items():
-            oracle.same(f"{name} of spheres not there yet", of_frame[name][count:], [value] * (spheres - count))
-        oracle.frame("npz", k, {"centres": arrays["centres"][3 * start:3 * (start + count)]})
-        rest = arrays["centres"][3 * (start + count):3 * (start + spheres)]
-        oracle.same("not there yet", sum(x != x for x in rest), len(rest))
-        oracle.same("polygons", arrays["polygons"][k * triangles:(k + 1) * triangles], frame["polygons"])
-    oracle.frame("npz", -1, {name: arrays[name] for name in arrays if shapes[name] == (spheres,)})
-    for name, column in (("times", "time"), ("steps", "step"), ("frames", "number")):
-        oracle.same(name, arrays[name], [frame[column] for frame in oracle.frames])
-    oracle.same("vertices", arrays["vertices"], oracle.vertices)
-    oracle.same("triangles", arrays["triangles"], oracle.triangles)
-
-
 READERS = {"csv": read_csv, "xyz": read_xyz, "lammps-dump": read_dump,
-           "vtp": read_vtp, "npz": read_npz, "glb": read_glb,
+           "vtp": read_vtp, "glb": read_glb,
            "glb-instanced": read_instanced}
 
 if __name__ == "__main__":

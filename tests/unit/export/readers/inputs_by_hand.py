@@ -1,9 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Reads the inputs of other programs as these document them: inputs_by_hand.py FOLDER FORMAT"""
-import importlib.util
 import re
 import sys
-import types
 
 from oracle import Oracle
 
@@ -142,49 +140,6 @@ def lethe():
     run.equal("heading", lines[0], ["p_x", "p_y", "p_z", "v_x", "v_y", "v_z", "w_x", "w_y", "w_z", "diameters", ""])
     run.equal("velocities", {word for line in lines[1:] for word in line[3:9]}, {"0"})
     spheres([[*line[:3], float(line[9]) / 2] for line in lines[1:]])
-
-
-def openmc():
-    """A stand-in for OpenMC takes down what the module asks of it."""
-    made = {}
-
-    class Plane:
-        def __init__(self, at, boundary_type):
-            self.at = at
-            assert boundary_type == "reflective"
-
-        def __pos__(self):
-            return Half([("+", self.at)])
-
-        def __neg__(self):
-            return Half([("-", self.at)])
-
-    class Half(list):
-        def __and__(self, other):
-            return Half(list(self) + list(other))
-
-    fake, model = types.ModuleType("openmc"), types.ModuleType("openmc.model")
-    fake.XPlane = fake.YPlane = fake.ZPlane = Plane
-    fake.Cell = lambda fill, region: (fill, region)
-    fake.model = model
-    model.TRISO = lambda radius, fill, center: (*center, radius, fill)
-    model.create_triso_lattice = lambda *given: made.update(
-        zip(("spheres", "low", "pitch", "shape", "background"), given)) or "lattice"
-    sys.modules.update({"openmc": fake, "openmc.model": model})
-    spec = importlib.util.spec_from_file_location("packing", run.file("openmc_packing.py"))
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    cell = module.packing("fuel", "gas")
-    run.equal("what fills", {sphere[4] for sphere in made["spheres"]} | {made["background"]}, {"fuel", "gas"})
-    spheres([sphere[:4] for sphere in made["spheres"]])
-    high = [a + n * p for a, n, p in zip(made["low"], made["shape"], made["pitch"])]
-    run.equal("lattice around all", [all(a <= b + 1e-12 for a, b in zip(made["low"], BOX[0])),
-                                     all(a >= b - 1e-12 for a, b in zip(high, BOX[1]))], [True, True])
-    run.equal("fill of the cell", cell[0], "lattice")
-    run.equal("sides", [side for side, _ in cell[1]], ["+", "-"] * 3)
-    run.same("region", [at for _, at in cell[1]], [x for pair in zip(made["low"], high) for x in pair], 1e-12)
-    module.packing("fuel", "gas", scale=100)
-    run.same("scaled", made["spheres"][0][:4], [100 * x for x in (*last["centres"][0], last["radii"][0])], 1e-10)
 
 
 globals()[sys.argv[2]]()

@@ -55,7 +55,7 @@ TEST(DamagedMeshes, AreReadOrRefusedInASentence)
     const std::pair<const char*, std::string> kinds[] = {
         {"obj", test::objText(mesh)}, {"ply", test::asciiPly(mesh)},
         {"ply", plyBytes(mesh)},      {"off", test::exactOff(mesh)},
-        {"stl", "solid\n"},
+        {"stl", "solid\n"},           {"wrl", test::vrmlText(mesh)},
     };
     for (const auto& [extension, text] : kinds)
     {

@@ -71,6 +71,19 @@ inline std::string exactObj(const TriangleMesh& mesh)
     return text;
 }
 
+inline std::string vrmlText(const TriangleMesh& mesh)
+{
+    std::string text =
+        "#VRML V2.0 utf8\nTransform { translation 1 2 3 children [ DEF a Shape { geometry "
+        "IndexedFaceSet { coord Coordinate { point [\n" +
+        exactPoints(mesh) + "] } coordIndex [\n";
+    for (const auto& t : mesh.triangles)
+    {
+        text += cornersOf(t, 0) + "-1, ";
+    }
+    return text + "] } } ] }\nGroup { children USE a }\n";
+}
+
 inline std::string exactOff(const TriangleMesh& mesh)
 {
     std::string text = "OFF\n" + std::to_string(mesh.vertices.size()) + " " +
