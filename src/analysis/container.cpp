@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/container.hpp"
 
-#include "simulation/quality/wall_pieces.hpp"
+#include "simulation/quality/resting_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,24 @@
 
 #include "base/threads.hpp"
 
+#include <frostfill/columns.hpp>
+#include <frostfill/simulation.hpp>
+
 #include <algorithm>
 #include <utility>
 
 namespace frostfill
 {
+
+std::vector<std::string> askedColumns(const Scene& scene)
+{
+    std::vector<std::string> asked = {scene.style.colourBy};
+    if (scene.rest.orientation)
+    {
+        asked.emplace_back(kOrientation);
+    }
+    return asked;
+}
 
 SphereRecord recordOf(const World& world, std::size_t id)
 {

@@ -7,6 +7,8 @@
 #include "simulation/world/set_recorder.hpp"
 #include "simulation/world/world.hpp"
 
+#include <optional>
+
 namespace frostfill
 {
 
@@ -33,7 +35,7 @@ private:
 
     World& world_;
     RunningSpheres& running_;
-    std::unique_ptr<SphereSearchPart> spheres_;
+    std::optional<SpheresByGrid> spheres_; ///< none: all pairs
     std::unique_ptr<PolygonSearchPart> polygons_;
     Algorithm1 algorithm1_;
     Threads threads_{1};
@@ -51,5 +53,18 @@ private:
     std::vector<Eigen::Vector3d> before_;    ///< running centres before the step
     std::vector<Eigen::Vector3d> predicted_; ///< after integration
 };
+
+/// PAPER, equation 3: advances past every group whose spheres all lie more than `epsilon` below all
+/// spheres of the last frozen group, and discards its spheres. A heuristic: height says nothing
+/// about the pocket that a sphere is in. `firstFrozen` is the id of the first sphere of group FFG,
+/// `frozenEnd` the id after the last frozen sphere. Returns the new firstFrozen.
+[[nodiscard]] std::size_t discardByHeight(World& world, std::size_t firstFrozen,
+                                          std::size_t frozenEnd, double epsilon);
+
+/// PAPER, 1.2: discards polygons that are covered: from each of the three vertices the ray along
+/// the vertex normal, into the object, meets a sphere at rest whose gap to the polygon is at most
+/// `closeness`. A heuristic: the polygon may be within reach between its vertices.
+/// Returns how many polygons were discarded.
+std::size_t discardCoveredPolygons(World& world, double closeness);
 
 } // namespace frostfill

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/quality/contact_network.hpp"
 
-#include "simulation/quality/beside.hpp"
+#include "simulation/quality/resting_contacts.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "simulation/quality/support.hpp"
 
 #include "base/random.hpp"
-#include "simulation/contact/contact_cone.hpp"
+#include "simulation/contact/contact.hpp"
 
 #include <gtest/gtest.h>
 
