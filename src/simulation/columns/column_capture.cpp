@@ -86,7 +86,11 @@ std::vector<ColumnValues> ColumnCapture::all()
     Threads threads(world_.scene.threads);
     for (ColumnValues& values : columns)
     {
-        const WorldColumn* source = sourceOf(values.column());
+        WorldColumn* source = sourceOf(values.column());
+        if (source != nullptr)
+        {
+            source->update(); // with all threads, before each of them asks
+        }
         values.bits.resize(count);
         forEachPart(threads, count, kInPart,
                     [&](std::size_t first, std::size_t last, std::size_t)

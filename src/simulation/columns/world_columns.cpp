@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/columns/world_columns.hpp"
 
+#include "simulation/quality/contact_network.hpp"
 #include "simulation/quality/equilibrium.hpp"
-#include "simulation/quality/resting_contacts.hpp"
 
 #include <utility>
 

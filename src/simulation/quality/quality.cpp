@@ -6,9 +6,8 @@
 #include "scene/packing_estimate.hpp"
 #include "scene/size_ledger.hpp"
 #include "simulation/quality/contact_network.hpp"
+#include "simulation/quality/equilibrium.hpp"
 #include "simulation/quality/heap_slope.hpp"
-#include "simulation/quality/resting_contacts.hpp"
-#include "simulation/quality/support.hpp"
 #include "simulation/quality/tolerances.hpp"
 
 #include <frostfill/error.hpp>

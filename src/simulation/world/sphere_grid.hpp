@@ -56,7 +56,6 @@ public:
         balls_.push_back({p.x(), p.y(), p.z(), radius});
         rows_.push_back({id & kLargestId, false, kEnd});
         link(row);
-        levelOf(radius).extent.extend(p);
         return row;
     }
 
@@ -97,7 +96,6 @@ public:
         linkTo(row) = rows_[row].next;
         balls_[row] = {p.x(), p.y(), p.z(), balls_[row].radius};
         link(row);
-        levelOf(balls_[row].radius).extent.extend(p);
     }
     /// Takes out all. Takes time with the spheres, not the cells.
     void clear()
@@ -232,8 +230,10 @@ private:
 
     void link(std::uint32_t row)
     {
+        const Eigen::Vector3d p = balls_[row].position();
         Level& level = levelOf(balls_[row].radius);
-        const auto [x, y, z] = level.frame.coordinates(balls_[row].position());
+        level.extent.extend(p);
+        const auto [x, y, z] = level.frame.coordinates(p);
         const std::size_t cell = level.cells.obtain(x, y, z);
         if (cell >= level.head.size())
         {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/random.hpp"
 #include "simulation/columns/world_columns.hpp"
-#include "simulation/quality/resting_contacts.hpp"
+#include "simulation/quality/contact_network.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
 #include "unit/simulation/columns/contacts_oracle.hpp"
