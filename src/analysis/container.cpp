@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "analysis/container.hpp"
 
-#include "simulation/quality/wall_pieces.hpp"
+#include "simulation/quality/contact_network.hpp"
 
 #include <algorithm>
 #include <cmath>

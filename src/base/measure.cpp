@@ -1,6 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <frostfill/measure.hpp>
 
+#include <fmt/format.h>
+#include <sys/sysinfo.h>
+#include <sys/utsname.h>
+
+#include <fstream>
+#include <string>
+#include <thread>
+
 namespace frostfill
 {
 
@@ -40,6 +48,62 @@ StageTimes& StageTimes::operator+=(const StageTimes& other)
         seconds[stage] += other.seconds[stage];
     }
     return *this;
+}
+
+namespace
+{
+
+std::string cpuName()
+{
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+    {
+        const auto colon = line.find(": ");
+        if (line.rfind("model name", 0) == 0 && colon != std::string::npos)
+        {
+            return line.substr(colon + 2);
+        }
+    }
+    return "unknown";
+}
+
+double memoryInGib()
+{
+    struct sysinfo info = {};
+    return sysinfo(&info) == 0
+               ? static_cast<double>(info.totalram) * info.mem_unit / (1024.0 * 1024 * 1024)
+               : 0;
+}
+
+std::string systemName()
+{
+    utsname name = {};
+    return uname(&name) == 0 ? fmt::format("{} {} {}", name.sysname, name.release, name.machine)
+                             : "unknown";
+}
+
+std::string compilerName()
+{
+#if defined(__clang__)
+    return fmt::format("clang {}.{}.{}", __clang_major__, __clang_minor__, __clang_patchlevel__);
+#else
+    return fmt::format("gcc {}.{}.{}", __GNUC__, __GNUC_MINOR__, __GNUC_PATCHLEVEL__);
+#endif
+}
+
+} // namespace
+
+MachineInfo describeMachine()
+{
+    MachineInfo info;
+    info.cpu = cpuName();
+    info.cores = static_cast<int>(std::thread::hardware_concurrency());
+    info.memoryGib = memoryInGib();
+    info.system = systemName();
+    info.compiler = compilerName();
+    info.build = FROSTFILL_BUILD_TYPE;
+    info.version = FROSTFILL_VERSION;
+    return info;
 }
 
 } // namespace frostfill

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/program_talk.hpp"
 
-#include "base/processor_time.hpp"
+#include "base/timers.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/start_program.hpp"
+#include "base/run_program.hpp"
 
 #include <chrono>
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/threads.hpp"
 
-#include "base/cores.hpp"
+#include "base/resources.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
-#include <vector>
 
 namespace frostfill
 {
@@ -95,12 +93,6 @@ public:
             }
         }
     }
-    /// The same for a range of more bricks than are in use: goes through those.
-    template <class Visit>
-    void forEachInLarge(const GridPlace& low, const GridPlace& high, Visit&& visit) const
-    {
-        isOne_ ? forEachIn(low, high, visit) : forEachOfThoseIn(low, high, visit);
-    }
 
     [[nodiscard]] bool isOne() const { return isOne_; }
     /// Those that have numbers, unless the grid is one brick.
@@ -119,6 +111,13 @@ public:
     /// Where the cell with this number lies.
     [[nodiscard]] GridPlace cell(std::size_t number) const
     {
+        if (isOne_)
+        {
+            const std::size_t row = number / static_cast<std::size_t>(count_[0]);
+            const auto rows = static_cast<std::size_t>(count_[1]);
+            return {static_cast<int>(number % static_cast<std::size_t>(count_[0])),
+                    static_cast<int>(row % rows), static_cast<int>(row / rows)};
+        }
         const GridPlace first = firstCell(number / kInBrick);
         const auto rest = static_cast<int>(number % kInBrick);
         return {first[0] + rest % Length, first[1] + rest / Length % kSide,
@@ -159,76 +158,6 @@ private:
         const int last = std::min(high, x + Length - 1 - x % Length);
         const std::size_t first = find(x, y, z);
         return {first, first == kNone ? last + 1 : x, last};
-    }
-
-    template <class Visit>
-    void forEachOfThoseIn(const GridPlace& low, const GridPlace& high, Visit& visit) const
-    {
-        const std::vector<std::uint32_t> order = bricksIn(low, high);
-        const auto endOf = [&](std::size_t begin, int axis) // of bricks of one layer or row
-        {
-            std::size_t end = begin;
-            while (end < order.size() &&
-                   bricks_.place(order[end])[axis] == bricks_.place(order[begin])[axis])
-            {
-                ++end;
-            }
-            return end;
-        };
-        for (std::size_t layer = 0; layer < order.size(); layer = endOf(layer, 2))
-        {
-            const std::size_t layerEnd = endOf(layer, 2);
-            const int firstZ = bricks_.place(order[layer])[2] * kSide;
-            for (int z = std::max(low[2], firstZ); z <= std::min(high[2], firstZ + kSide - 1); ++z)
-            {
-                for (std::size_t row = layer; row < layerEnd;)
-                {
-                    const std::size_t rowEnd = std::min(layerEnd, endOf(row, 1));
-                    const int firstY = bricks_.place(order[row])[1] * kSide;
-                    const int lastY = std::min(high[1], firstY + kSide - 1);
-                    for (int y = std::max(low[1], firstY); y <= lastY; ++y)
-                    {
-                        for (std::size_t k = row; k < rowEnd; ++k)
-                        {
-                            visitRowOf(order[k], {low[0], y, z}, high[0], visit);
-                        }
-                    }
-                    row = rowEnd;
-                }
-            }
-        }
-    }
-    template <class Visit>
-    void visitRowOf(std::uint32_t brick, const GridPlace& low, int highX, Visit& visit) const
-    {
-        const int firstX = bricks_.place(brick)[0] * Length;
-        for (int x = std::max(low[0], firstX); x <= std::min(highX, firstX + Length - 1); ++x)
-        {
-            visit(brick * kInBrick + inBrick(x, low[1], low[2]));
-        }
-    }
-    /// Bricks that a range meets, by z, y and x.
-    [[nodiscard]] std::vector<std::uint32_t> bricksIn(const GridPlace& low,
-                                                      const GridPlace& high) const
-    {
-        std::vector<std::uint32_t> order;
-        for (std::uint32_t brick = 0; brick < bricks_.size(); ++brick)
-        {
-            const auto [x, y, z] = firstCell(brick);
-            if (x <= high[0] && x + Length > low[0] && y <= high[1] && y + kSide > low[1] &&
-                z <= high[2] && z + kSide > low[2])
-            {
-                order.push_back(brick);
-            }
-        }
-        std::sort(order.begin(), order.end(),
-                  [&](std::uint32_t a, std::uint32_t b)
-                  {
-                      const GridPlace& p = bricks_.place(a);
-                      const GridPlace& q = bricks_.place(b);
-                      return std::tie(p[2], p[1], p[0]) < std::tie(q[2], q[1], q[0]);
-                  });
-        return order;
     }
 
     GridPlace count_;

@@ -4,7 +4,7 @@
 #include "oracle/rest.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
-#include "simulation/motion/fall_index.hpp"
+#include "simulation/motion/vertical_drop.hpp"
 
 #include <cmath>
 #include <limits>
@@ -140,7 +140,7 @@ void measureCorner(ClosedFormPoints& points)
 void measureThreeSpheres(ClosedFormPoints& points)
 {
     const auto world = room(cutBoxMesh({-8, -8, -8}, {8, 8, 8}));
-    FallIndex falls(world->spheres.resting().frame(), world->triangles);
+    FallIndex falls(world->spheres.resting(), world->triangles);
     for (const Eigen::Vector3d& p : oracle::threeTouching(-7))
     {
         world->spheres.addResting(p, 1, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/processor_time.hpp"
+#include "base/timers.hpp"
 #include "lab/pouring.hpp"
 #include "lab/program_peer.hpp"
 #include "lab/study.hpp"

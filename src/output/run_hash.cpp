@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/run_hash.hpp"
 
-#include "base/fnv_hash.hpp"
+#include "base/random.hpp"
 #include "output/scene_json.hpp"
 #include "scene/read_sizes.hpp"
 #include "scene/shown_unbalance.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/cores.hpp"
-#include "base/ordered_worker.hpp"
+#include "base/own_threads.hpp"
+#include "base/resources.hpp"
 #include "run/frame_drawer.hpp"
 
 #include <tbb/global_control.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/ordered_worker.hpp"
+#include "base/own_threads.hpp"
 
 #include <frostfill/output.hpp>
 #include <frostfill/view.hpp>

@@ -2,7 +2,6 @@
 #include "run/run_files.hpp"
 
 #include "base/atomic_file.hpp"
-#include "base/posix_file.hpp"
 #include "bulk/bulk.hpp"
 #include "output/run_hash.hpp"
 #include "output/scene_json.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "base/atomic_file.hpp"
-#include "base/posix_file.hpp"
 #include "run_file/frame_codec.hpp"
 #include "run_file/records.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What it costs to write the last state of a run in each format. Run it by hand:
 // build/release/tests/benchmark/benchmark_export RUN FOLDER
-#include "base/processor_time.hpp"
+#include "base/timers.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/export.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/sanitized.hpp"
+#include "base/resources.hpp"
 #include "fault/program.hpp"
 #include "fault/run_file_bytes.hpp"
 #include "support/temporary_folder.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/sandbox.hpp"
 
-#include "base/posix_file.hpp"
-#include "base/sanitized.hpp"
+#include "base/atomic_file.hpp"
+#include "base/resources.hpp"
 
 #include <frostfill/error.hpp>
 

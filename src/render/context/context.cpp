@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/context/context.hpp"
 
-#include "base/memory_at_hand.hpp"
-#include "base/watchdog.hpp"
+#include "base/own_threads.hpp"
+#include "base/resources.hpp"
 
 #include <frostfill/error.hpp>
 

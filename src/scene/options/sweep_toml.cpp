@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/fnv_hash.hpp"
+#include "base/random.hpp"
 #include "scene/options/file_values.hpp"
 
 #include <frostfill/error.hpp>

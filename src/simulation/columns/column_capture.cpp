@@ -3,11 +3,24 @@
 
 #include "base/threads.hpp"
 
+#include <frostfill/columns.hpp>
+#include <frostfill/simulation.hpp>
+
 #include <algorithm>
 #include <utility>
 
 namespace frostfill
 {
+
+std::vector<std::string> askedColumns(const Scene& scene)
+{
+    std::vector<std::string> asked = {scene.style.colourBy};
+    if (scene.rest.orientation)
+    {
+        asked.emplace_back(kOrientation);
+    }
+    return asked;
+}
 
 SphereRecord recordOf(const World& world, std::size_t id)
 {
@@ -73,7 +86,11 @@ std::vector<ColumnValues> ColumnCapture::all()
     Threads threads(world_.scene.threads);
     for (ColumnValues& values : columns)
     {
-        const WorldColumn* source = sourceOf(values.column());
+        WorldColumn* source = sourceOf(values.column());
+        if (source != nullptr)
+        {
+            source->update(); // with all threads, before each of them asks
+        }
         values.bits.resize(count);
         forEachPart(threads, count, kInPart,
                     [&](std::size_t first, std::size_t last, std::size_t)

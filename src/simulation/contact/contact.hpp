@@ -3,16 +3,13 @@
 // neighbour lists. All contact geometry of the simulation is here.
 #pragma once
 
-// The contact kernel. Every part that asks where two things touch, and what follows from it, asks
-// here: normal and depth of a contact, the speed that a collision leaves, mass, support. The judge
-// of a finished state (simulation/quality) has its own, so that it cannot share our mistakes.
-
 #include "mesh/interior/surface.hpp"
-#include "simulation/contact/contact_cone.hpp"
 #include "simulation/contact/tolerances.hpp"
 #include "simulation/world/running_spheres.hpp"
 
 #include <frostfill/scene.hpp>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +17,18 @@
 #include <span>
 #include <vector>
 
+// The contact kernel. Every part that asks where two things touch, and what follows from it, asks
+// here: normal and depth of a contact, the speed that a collision leaves, mass, support. The judge
+// of a finished state (simulation/quality) has its own, so that it cannot share our mistakes.
 namespace frostfill
 {
+
+/// The part of a vector that a sphere's contacts leave: its projection onto the cone of directions
+/// that lead into no contact, {d : n . d >= 0 for all n}. With gravity, the acceleration that is
+/// left of it; zero when the contacts carry the whole weight. With a velocity, the velocity after
+/// an inelastic collision. `normals` are unit vectors from the contacts to the centre.
+[[nodiscard]] Eigen::Vector3d projectToFree(const Eigen::Vector3d& vector,
+                                            std::span<const Eigen::Vector3d> normals);
 
 /// Where a sphere touches another one or a wall.
 struct Contact

@@ -144,6 +144,28 @@ thread_local Obstacles obstacles; // keeps its memory
 
 } // namespace
 
+void gather(SphereGrid& grid, const RunningSpheres& running)
+{
+    grid.clear();
+    for (std::uint32_t row = 0; row < running.size(); ++row)
+    {
+        grid.insert(row, running.position[row], running.radius[row]);
+    }
+}
+
+bool isClearOf(const SphereGrid& grid, const Eigen::Vector3d& place, double radius)
+{
+    bool clear = true;
+    grid.forEachNear(place, radius + 1 + kClearance,
+                     [&](std::uint32_t row)
+                     {
+                         const Ball& other = grid[row];
+                         clear = clear && !isWithin(other.position(), place,
+                                                    other.radius + radius + kClearance);
+                     });
+    return clear;
+}
+
 bool depenetrate(const World& world, Eigen::Vector3d& p, double radius, double farthest, int moves,
                  Start start)
 {

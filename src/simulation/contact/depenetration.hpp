@@ -27,6 +27,12 @@ inline void addSeen(Eigen::AlignedBox3d& box, const Eigen::Vector3d& p, double d
     box.extend(Eigen::Vector3d(p.array() + reach));
 }
 
+/// Fills a grid with the running spheres, by row, where they are now.
+void gather(SphereGrid& grid, const RunningSpheres& running);
+
+/// Whether a sphere at the place would touch none of a grid's spheres.
+[[nodiscard]] bool isClearOf(const SphereGrid& grid, const Eigen::Vector3d& place, double radius);
+
 /// Moves p out of all overlaps that a sphere of `radius` there would have with the walls and with
 /// spheres at rest, pushing it out of the deepest one again and again. Returns whether a clear
 /// place was found within `farthest` of where p was, by so many moves.

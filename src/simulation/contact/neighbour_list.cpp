@@ -8,7 +8,6 @@
 
 namespace frostfill
 {
-
 namespace
 {
 

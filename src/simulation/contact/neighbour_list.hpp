@@ -25,13 +25,6 @@ public:
     /// listed. `ahead` is at most the skin. Returns whether the list was made anew.
     bool ensure(const World& world, const Eigen::Vector3d& p, double radius, double ahead);
 
-    /// Asks for what every question reads, which soon will be.
-    void prefetch() const
-    {
-        __builtin_prefetch(this);
-        __builtin_prefetch(reinterpret_cast<const char*>(this) + 64);
-    }
-
     /// Forgets everything: the sphere is elsewhere now.
     void invalidate() { radius_ = -1; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/engine/drop_and_roll_engine.hpp"
 
-#include "base/stage_timer.hpp"
+#include "base/timers.hpp"
 #include "simulation/contact/depenetration.hpp"
 #include "simulation/engine/tolerances.hpp"
 

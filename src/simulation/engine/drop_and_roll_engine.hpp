@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/freezing/rest_observers.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
+#include "simulation/release/release_rule.hpp"
 #include "simulation/world/set_recorder.hpp"
 #include "simulation/world/world.hpp"
 

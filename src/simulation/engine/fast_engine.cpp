@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/engine/fast_engine.hpp"
 
-#include "base/stage_timer.hpp"
+#include "base/timers.hpp"
 #include "simulation/contact/contact.hpp"
 #include "simulation/contact/depenetration.hpp"
 #include "simulation/engine/tolerances.hpp"
@@ -259,7 +259,7 @@ void FastEngine::countTests()
     {
         world_.counts.operations.runningFrozenTests += observed_[row].spheres;
         world_.counts.operations.spherePolygonTests += observed_[row].triangles;
-        pairs += solver_.pairs().nearbyCount(row);
+        pairs += solver_.pairs().nearby(row).size();
     }
     world_.counts.operations.runningRunningTests += pairs / 2;
 }

@@ -5,11 +5,11 @@
 
 #include "base/threads.hpp"
 #include "simulation/freezing/freezer.hpp"
-#include "simulation/freezing/rest_observers.hpp"
 #include "simulation/freezing/set_schedule.hpp"
 #include "simulation/freezing/waker.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/motion/free_flight.hpp"
+#include "simulation/release/release_rule.hpp"
 #include "simulation/solver/position_solver.hpp"
 #include "simulation/world/world.hpp"
 
@@ -44,7 +44,7 @@ private:
     World& world_;
     RunningSpheres& running_;
     Threads threads_;
-    RunnerGrid grid_;
+    SphereGrid grid_;         ///< of the runners
     RestObservers observers_; ///< where falls end, and where spheres can appear
     FreeFlight flight_;
     DropAndRoll dropAndRoll_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/engine/granular_engine.hpp"
 
-#include "base/stage_timer.hpp"
+#include "base/timers.hpp"
 #include "simulation/contact/depenetration.hpp"
 #include "simulation/engine/tolerances.hpp"
 
@@ -148,11 +148,11 @@ void GranularEngine::releaseAt(std::span<const PlacedSphere> spheres)
     for (PlacedSphere one : spheres)
     {
         if (!depenetrate(world_, one.place, one.radius, kFarRelease) ||
-            !grid_.isClear(one.place, one.radius))
+            !isClearOf(grid_, one.place, one.radius))
         {
             refuseOverlap(world_, one);
         }
-        grid_.add(one.place, one.radius);
+        grid_.insert(static_cast<std::uint32_t>(placed.size()), one.place, one.radius);
         placed.push_back(one);
     }
     admit(placed);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "simulation/contact/runner_grid.hpp"
 #include "simulation/release/release_rule.hpp"
 #include "simulation/settling/settling.hpp"
 #include "simulation/world/set_recorder.hpp"
@@ -50,7 +49,7 @@ private:
 
     World& world_;
     Threads threads_;
-    RunnerGrid grid_;
+    SphereGrid grid_; ///< of the runners
     std::unique_ptr<ReleasePart> release_;
     Settling settling_;
     SetRecorder record_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/engine/joint_rest_engine.hpp"
 
-#include "base/stage_timer.hpp"
+#include "base/timers.hpp"
 
 #include <utility>
 

@@ -16,7 +16,6 @@
 
 namespace frostfill
 {
-
 namespace
 {
 

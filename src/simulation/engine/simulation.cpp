@@ -3,12 +3,10 @@
 #include "simulation/engine/guard.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
-#include "simulation/quality/size_report.hpp"
 #include "simulation/reach/discards.hpp"
-#include "simulation/reach/reach_inspection.hpp"
-#include "simulation/world/fitting_radius.hpp"
+#include "simulation/reach/open_cubes.hpp"
 #include "simulation/world/set_recorder.hpp"
-#include "simulation/world/state_hash.hpp"
+#include "simulation/world/spheres.hpp"
 #include "simulation/world/world.hpp"
 
 #include <frostfill/error.hpp>
@@ -22,7 +20,6 @@
 
 namespace frostfill
 {
-
 namespace
 {
 
@@ -314,8 +311,7 @@ void Simulation::capture(Snapshot& snapshot) const
     snapshot.resize(count);
     for (const std::uint32_t id : changed)
     {
-        snapshot.centres[id] =
-            world.frame.toMeshOffset(world.frame.apart(world.spheres.position(id))).cast<float>();
+        snapshot.centres[id] = world.frame.toMeshOffset(world.spheres.position(id)).cast<float>();
         snapshot.radii[id] = static_cast<float>(world.spheres.radius(id) * world.frame.length);
         snapshot.states[id] = world.spheres.state(id);
         snapshot.groups[id] = world.spheres.group(id);

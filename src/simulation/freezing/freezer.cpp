@@ -2,6 +2,7 @@
 #include "simulation/freezing/freezer.hpp"
 
 #include "simulation/contact/contact.hpp"
+#include "simulation/contact/depenetration.hpp"
 #include "simulation/freezing/tolerances.hpp"
 
 #include <algorithm>
@@ -13,7 +14,7 @@
 namespace frostfill
 {
 
-Freezer::Freezer(World& world, RunnerGrid& grid, RestObservers& observers, FreeFlight& flight,
+Freezer::Freezer(World& world, SphereGrid& grid, RestObservers& observers, FreeFlight& flight,
                  PositionSolver& solver, Threads& threads, double ageLimit)
     : world_(world), running_(world.spheres.running()), grid_(grid), observers_(observers),
       flight_(flight), solver_(solver), threads_(threads), dropAndRoll_(world, observers.falls),
@@ -54,7 +55,7 @@ void Freezer::freeze(SetSchedule& sets)
         return;
     }
     frozen_.clear();
-    grid_.rebuild(running_);
+    gather(grid_, running_);
     if (isPile())
     {
         freezeTogether(sets.keepsSets() ? 1 : kStillInPile);
@@ -114,7 +115,7 @@ void Freezer::freezeTogether(std::uint32_t stillWindows)
         return;
     }
     solver_.separate(together_);
-    grid_.rebuild(running_);
+    gather(grid_, running_);
     island_.keep(together_);
     for (const std::uint32_t row : together_)
     {
@@ -267,7 +268,7 @@ void Freezer::tell(const Eigen::Vector3d& place, double radius)
 {
     // A neighbourhood was made within the skin of where its runner is now.
     grid_.forEachNear(place, 1 + radius + 2 * NeighbourList::kSkin,
-                      [&](std::uint32_t row, const Eigen::Vector3d&, double)
+                      [&](std::uint32_t row)
                       {
                           if (flight_.around(row).add(place, radius))
                           {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "simulation/freezing/overlap_resolver.hpp"
-#include "simulation/freezing/rest_observers.hpp"
 #include "simulation/freezing/set_schedule.hpp"
 #include "simulation/freezing/support_at_rest.hpp"
 #include "simulation/freezing/tolerances.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/motion/free_flight.hpp"
+#include "simulation/release/release_rule.hpp"
 #include "simulation/solver/position_solver.hpp"
 #include "simulation/solver/support_island.hpp"
 
@@ -24,8 +24,8 @@ namespace frostfill
 class Freezer
 {
 public:
-    /// Everything given outlives this. `ageLimit`: see SetProgress.
-    Freezer(World& world, RunnerGrid& grid, RestObservers& observers, FreeFlight& flight,
+    /// Everything given outlives this. `ageLimit`: see SetSchedule.
+    Freezer(World& world, SphereGrid& grid, RestObservers& observers, FreeFlight& flight,
             PositionSolver& solver, Threads& threads, double ageLimit);
 
     /// To be called in each step for each runner after its flight, on any thread: it is older by
@@ -62,7 +62,7 @@ private:
 
     World& world_;
     RunningSpheres& running_;
-    RunnerGrid& grid_;
+    SphereGrid& grid_;
     RestObservers& observers_;
     FreeFlight& flight_;
     PositionSolver& solver_;

@@ -13,16 +13,17 @@ namespace frostfill
 void OverlapResolver::findOverlapped(std::uint32_t row, const PlacedSphere& resting)
 {
     overlapped_.clear();
-    grid_.forEachNear(resting.place, resting.radius + 1,
-                      [&](std::uint32_t k, const Eigen::Vector3d& p, double radiusThere)
-                      {
-                          const double contact = radiusThere + resting.radius;
-                          if (k != row && !running_.isGone(k) &&
-                              (p - resting.place).squaredNorm() < contact * contact)
-                          {
-                              overlapped_.push_back(k);
-                          }
-                      });
+    grid_.forEachNear(
+        resting.place, resting.radius + 1,
+        [&](std::uint32_t k)
+        {
+            const Ball& other = grid_[k];
+            if (k != row && !running_.isGone(k) &&
+                isWithin(other.position(), resting.place, other.radius + resting.radius))
+            {
+                overlapped_.push_back(k);
+            }
+        });
     std::sort(overlapped_.begin(), overlapped_.end());
 }
 
@@ -49,7 +50,7 @@ bool OverlapResolver::moveAside(std::uint32_t row, const PlacedSphere& resting, 
 void OverlapResolver::evict()
 {
     const ReleaseQuery query = {.suits = [this](const Eigen::Vector3d& place, double radius)
-                                { return grid_.isClear(place, radius); }};
+                                { return isClearOf(grid_, place, radius); }};
     for (const std::uint32_t k : overlapped_)
     {
         const double radius = running_.radius[k];

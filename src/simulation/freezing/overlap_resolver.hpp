@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "simulation/contact/runner_grid.hpp"
-#include "simulation/freezing/rest_observers.hpp"
 #include "simulation/motion/free_flight.hpp"
+#include "simulation/release/release_rule.hpp"
 
 #include <span>
 #include <vector>
@@ -16,7 +15,7 @@ namespace frostfill
 class OverlapResolver
 {
 public:
-    OverlapResolver(World& world, RunnerGrid& grid, FreeFlight& flight, RestObservers& observers)
+    OverlapResolver(World& world, SphereGrid& grid, FreeFlight& flight, RestObservers& observers)
         : world_(world), running_(world.spheres.running()), grid_(grid), flight_(flight),
           observers_(observers)
     {
@@ -41,7 +40,7 @@ private:
 
     World& world_;
     RunningSpheres& running_;
-    RunnerGrid& grid_;
+    SphereGrid& grid_;
     FreeFlight& flight_;
     RestObservers& observers_;
     std::vector<std::uint32_t> overlapped_;

@@ -4,11 +4,14 @@
 #include "simulation/freezing/tolerances.hpp"
 #include "simulation/world/world.hpp"
 
+#include <algorithm>
+
 namespace frostfill
 {
 
 SetSchedule::SetSchedule(World& world, double ageLimit)
-    : world_(world), rule_(makeFreezing(world)), ageLimit_(ageLimit), groupSize_(groupSize(world)),
+    : world_(world), keepsSets_(world.scene.freezing.rule == FreezingRule::bySet),
+      ageLimit_(ageLimit), groupSize_(groupSize(world)),
       size_(groupSize_ * world.scene.spheres.groupsPerSet)
 {
     startGroups();
@@ -21,25 +24,30 @@ void SetSchedule::startGroups()
     nextGroup_ = spheres == 0 ? 0 : world_.spheres.group(spheres - 1) + 1;
 }
 
-SetProgress SetSchedule::progress(std::size_t running) const
+bool SetSchedule::isComplete() const
 {
-    return {.size = size_,
-            .running = running,
-            .complete = appeared_ >= size_ || wantedOfSet(world_, 1) == 0,
-            .noRoom = noRoom_,
-            .ageLimit = ageLimit_};
+    return appeared_ >= size_ || wantedOfSet(world_, 1) == 0;
 }
 
 bool SetSchedule::isDue(std::size_t running) const
 {
-    return running == 0 || (!noRoom_ && rule_->allowsRelease(progress(running)));
+    return running == 0 || (!noRoom_ && mayAppearBeside(running));
+}
+
+bool SetSchedule::mayAppearBeside(std::size_t running) const
+{
+    if (keepsSets_)
+    {
+        return !isComplete() && !sleeps_;
+    }
+    return running <= static_cast<std::size_t>(kStillRunning * static_cast<double>(size_));
 }
 
 std::size_t SetSchedule::startSearch(std::size_t running)
 {
-    rule_->moreAppear();
+    sleeps_ = false;
     // What of a set that is kept together finds no room at once comes later.
-    if (running == 0 || !rule_->keepsSets())
+    if (running == 0 || !keepsSets_)
     {
         appeared_ = 0;
     }
@@ -75,9 +83,31 @@ void SetSchedule::openRecord(std::size_t spheres)
 
 void SetSchedule::endWindow(std::span<RestWatch> running, std::vector<std::uint32_t>& sleepy)
 {
-    rule_->select(progress(running.size()), running, sleepy);
+    if (!keepsSets_)
+    {
+        noRoom_ = false;
+        return;
+    }
+    const auto overdue = [&](const RestWatch& watch) { return watch.age > ageLimit_; };
+    const bool whole = isComplete() || sleeps_ || noRoom_;
+    const bool calm =
+        static_cast<double>(sleepy.size()) >= kStillShare * static_cast<double>(running.size());
+    stillWindows_ = whole && calm ? stillWindows_ + 1 : 0;
+    if (!sleeps_ &&
+        (stillWindows_ >= kStillSet || std::any_of(running.begin(), running.end(), overdue)))
+    {
+        sleeps_ = true;
+        for (RestWatch& watch : running)
+        {
+            watch.stillWindows = std::min(watch.stillWindows, 1u);
+        }
+    }
+    if (!sleeps_)
+    {
+        sleepy.clear();
+    }
     // What is to complete a set waits until those before it have fallen out of the way.
-    noRoom_ = rule_->keepsSets() && ++windows_ % kWindowsToFall != 0;
+    noRoom_ = ++windows_ % kWindowsToFall != 0;
 }
 
 } // namespace frostfill

@@ -3,17 +3,37 @@
 // follows spheres at rest, but no schedule.
 #pragma once
 
-#include "simulation/freezing/freezing_rule.hpp"
 #include "simulation/world/set_recorder.hpp"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace frostfill
 {
 
-/// Keeps the sets: which one is the newest, when spheres are due to appear, and how many. When they
-/// freeze is the freezing rule's to say.
+/// What is watched of a running sphere, to tell when it comes to rest.
+struct RestWatch
+{
+    Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< position at the window's start
+    double age = 0; ///< since its release, or something came to rest beside it [sqrt(r/g)]
+    std::uint32_t stillWindows = 0; ///< in a row in which it hardly moved
+};
+
+/// Keeps the sets: which one is the newest, when spheres are due to appear, and how many; and the
+/// freezing rule of the scene. By the rule one by one each calm sphere may freeze. By the rule by
+/// set a set settles and freezes as a whole: spheres that find no room are added to the newest set,
+/// and piles settle slowly and densely. Once that set is complete and most of it has been calm for
+/// long, or something is overdue, its spheres freeze from below like any others.
+///
+/// By either rule a sphere freezes only where something carries it, and one that is overdue
+/// wherever it is.
 class SetSchedule
 {
 public:
+    /// `ageLimit`: RestWatch::age after which a sphere is overdue [sqrt(r/g)].
     SetSchedule(World& world, double ageLimit);
 
     /// Whether a set, or the rest of one, is due to appear.
@@ -27,11 +47,12 @@ public:
     /// Those that the user has placed, a set of their own, have appeared.
     void placed(std::size_t spheres);
 
-    /// A window is over: see FreezingPart::select. Spheres are due again from then on.
+    /// A window is over. Takes those out of `sleepy` that are to run on: rows of `running` whose
+    /// spheres are calm or overdue, the lowest sphere first. Spheres are due again from then on.
     void endWindow(std::span<RestWatch> running, std::vector<std::uint32_t>& sleepy);
 
-    /// See FreezingPart::keepsSets.
-    [[nodiscard]] bool keepsSets() const { return rule_->keepsSets(); }
+    /// Whether sets settle and freeze as a whole.
+    [[nodiscard]] bool keepsSets() const { return keepsSets_; }
 
     /// Begins the record of a set of so many spheres; that of the set before ends.
     void openRecord(std::size_t spheres);
@@ -41,10 +62,11 @@ public:
 
 private:
     void startGroups();
-    [[nodiscard]] SetProgress progress(std::size_t running) const;
+    [[nodiscard]] bool isComplete() const;
+    [[nodiscard]] bool mayAppearBeside(std::size_t running) const;
 
     World& world_;
-    std::unique_ptr<FreezingPart> rule_;
+    bool keepsSets_;
     SetRecorder record_;
     double ageLimit_;
     std::size_t groupSize_;
@@ -52,6 +74,8 @@ private:
     std::size_t appeared_ = 0; ///< of the newest set
     std::uint32_t nextGroup_ = 0;
     std::uint32_t windows_ = 0;
+    bool sleeps_ = false;            ///< the newest set freezes
+    std::uint32_t stillWindows_ = 0; ///< in a row in which most of it was calm
     bool noRoom_ = false; ///< a search that found nothing is not repeated before runners move on
 };
 

@@ -2,56 +2,15 @@
 #include "simulation/motion/drop_and_roll.hpp"
 
 #include "simulation/contact/contact.hpp"
-#include "simulation/contact/contact_cone.hpp"
 #include "simulation/contact/depenetration.hpp"
 #include "simulation/contact/sphere_cast.hpp"
 #include "simulation/motion/tolerances.hpp"
-#include "simulation/motion/vertical_drop.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace frostfill
 {
-namespace
-{
-
-/// By how much the way is flatter on which contacts lead a sphere than one on a sphere of its own
-/// size [1]: among larger ones it can go longer parts of it. Its centre is on a sphere around that
-/// of what it touches, or on a circle around the line through two of them. At least 1, and so for
-/// walls, whose edges are sharp. `contacts`: how many there are.
-double flatness(const NeighbourList& around, const Eigen::Vector3d& p, double radius,
-                std::size_t contacts)
-{
-    constexpr std::size_t kMost = 2;
-    std::array<const Ball*, kMost> touched{};
-    std::size_t count = 0;
-    for (const Ball& other : around.spheres())
-    {
-        if (isWithin(other.position(), p, other.radius + kTouch))
-        {
-            if (count == kMost)
-            {
-                return 1;
-            }
-            touched[count++] = &other;
-        }
-    }
-    if (count != contacts || count == 0)
-    {
-        return 1;
-    }
-    double curve = touched[0]->radius;
-    if (count == kMost)
-    {
-        const Eigen::Vector3d axis = touched[1]->position() - touched[0]->position();
-        curve = (p - touched[0]->position()).cross(axis).norm() / axis.norm();
-    }
-    return std::max(1.0, curve / (2 * radius));
-}
-
-} // namespace
 
 bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& around, double farthest,
                          Eigen::AlignedBox3d* seen) const
@@ -76,9 +35,7 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
         {
             return true; // carried: see isCarried, which has no use for the pull
         }
-        const double flat =
-            sizesDiffer && !normals.empty() ? flatness(around, p, radius, normals.size()) : 1;
-        if (!(normals.empty() ? fall(p, path, down) : slide(p, path, {down, pull, flat}, longest)))
+        if (!(normals.empty() ? fall(p, path, down) : slide(p, path, down, pull, longest)))
         {
             return false;
         }
@@ -125,16 +82,14 @@ bool DropAndRoll::drop(Eigen::Vector3d& p, double radius, Eigen::AlignedBox3d* s
 
 // A straight part along the pull, then back to the contact that curves away from it. Both lose
 // height: the second leads against the contacts' forces, whose sum points up.
-bool DropAndRoll::slide(Eigen::Vector3d& p, const Path& path, const Slope& slope,
-                        double& longest) const
+bool DropAndRoll::slide(Eigen::Vector3d& p, const Path& path, const Eigen::Vector3d& down,
+                        const Eigen::Vector3d& pull, double& longest) const
 {
     const auto& [radius, around, seen] = path;
-    const auto& [down, pull, flat] = slope;
     const double weight = pull.norm();
     const Eigen::Vector3d along = pull / weight;
     // Near the bottom of a curve the pull fades with the distance to it.
-    const double length = std::min(
-        {longest * std::sqrt(flat), kBeyondTheBottom * weight * radius * flat, around.room(p)});
+    const double length = std::min({longest, kBeyondTheBottom * weight * radius, around.room(p)});
     const double gone = sphereCast(world_.surface, around, p, radius, along, length);
     p += gone * along;
 
@@ -143,7 +98,7 @@ bool DropAndRoll::slide(Eigen::Vector3d& p, const Path& path, const Slope& slope
     if (force > kSettled)
     {
         // A contact that curves away is behind by about the square of the part.
-        look(path, p, gone * gone / (radius * flat));
+        look(path, p, gone * gone / radius);
         const Eigen::Vector3d back = -forces / force;
         const double limit = std::min(kRegain * radius, around.room(p));
         const double regained = sphereCast(world_.surface, around, p, radius, back, limit);

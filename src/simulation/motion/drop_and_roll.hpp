@@ -2,7 +2,7 @@
 #pragma once
 
 #include "simulation/contact/neighbour_list.hpp"
-#include "simulation/motion/fall_index.hpp"
+#include "simulation/motion/vertical_drop.hpp"
 #include "simulation/world/world.hpp"
 
 #include <limits>
@@ -47,16 +47,11 @@ private:
         NeighbourList& around;
         Eigen::AlignedBox3d* seen;
     };
-    /// Where gravity leads among the contacts.
-    struct Slope
-    {
-        Eigen::Vector3d down;
-        Eigen::Vector3d pull; ///< what contacts leave of it
-        double flat;          ///< how much flatter the way is than on a sphere of its own size
-    };
     void look(const Path& path, const Eigen::Vector3d& p, double ahead) const;
     bool fall(Eigen::Vector3d& p, const Path& path, const Eigen::Vector3d& down) const;
-    bool slide(Eigen::Vector3d& p, const Path& path, const Slope& slope, double& longest) const;
+    /// `pull`: what contacts leave of a pull along `down`.
+    bool slide(Eigen::Vector3d& p, const Path& path, const Eigen::Vector3d& down,
+               const Eigen::Vector3d& pull, double& longest) const;
 
     const World& world_;
     const FallIndex& falls_;

@@ -60,13 +60,6 @@ public:
     /// stopped.
     void shift(std::uint32_t row, const Eigen::Vector3d& displacement);
 
-    /// Asks for what moving it will read.
-    void prefetch(std::uint32_t row) const
-    {
-        around_[row].prefetch();
-        __builtin_prefetch(&running_.position[row]);
-    }
-
     /// What is at rest near it.
     [[nodiscard]] NeighbourList& around(std::uint32_t row) { return around_[row]; }
     /// Of the contacts that any of the above found last.

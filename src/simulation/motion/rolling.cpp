@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/motion/rolling.hpp"
 
-#include "simulation/contact/contact_cone.hpp"
+#include "simulation/contact/contact.hpp"
 #include "simulation/motion/tolerances.hpp"
 
 #include <algorithm>

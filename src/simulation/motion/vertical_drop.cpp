@@ -6,6 +6,7 @@
 #include "simulation/motion/tolerances.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -170,6 +171,66 @@ double wallBelow(const World& world, const FallIndex& falls, const std::array<in
 }
 
 } // namespace
+
+FallIndex::Columns::Columns(const GridFrame& frameOfCells)
+    : frame(frameOfCells), words({(frame.count[1] + 63) / 64, frame.count[0], frame.count[2]}),
+      bits(words.size())
+{
+}
+
+void FallIndex::Columns::set(const GridPlace& cell)
+{
+    const std::size_t word = words.obtain(cell[1] / 64, cell[0], cell[2]);
+    if (word >= bits.size())
+    {
+        bits.resize(words.size());
+    }
+    bits[word] |= std::uint64_t{1} << (cell[1] % 64);
+}
+
+int FallIndex::Columns::highest(int x, int z, int y, int lowest) const
+{
+    std::uint64_t among = ~std::uint64_t{0} >> (63 - y % 64);
+    for (int index = y / 64; index >= lowest / 64; --index, among = ~std::uint64_t{0})
+    {
+        const std::size_t word = words.find(index, x, z);
+        const std::uint64_t set = word == BrickedCells<1>::kNone ? 0 : bits[word] & among;
+        if (set != 0)
+        {
+            return index * 64 + 63 - std::countl_zero(set);
+        }
+    }
+    return -1;
+}
+
+FallIndex::FallIndex(const SphereGrid& spheres, const TriangleGrid& triangles)
+    : walls_(spheres.frame())
+{
+    // A cell is a wall when one of the finer cells of the triangles' grid within it has triangles.
+    triangles.forEachCellWithTriangles(
+        [&](int x, int y, int z)
+        { walls_.set(walls_.frame.coordinates(triangles.frame().centre(x, y, z))); });
+    for (std::size_t level = 0; level < spheres.levels(); ++level)
+    {
+        spheres_.emplace_back(spheres.frame(level));
+    }
+}
+
+int FallIndex::highestSphere(int x, int z, int y, std::size_t level, int beside) const
+{
+    const Columns& columns = spheres_[level];
+    const std::array<int, 3>& count = columns.frame.count;
+    int highest = -1;
+    for (int nz = std::max(0, z - beside); nz <= std::min(count[2] - 1, z + beside); ++nz)
+    {
+        for (int nx = std::max(0, x - beside); nx <= std::min(count[0] - 1, x + beside); ++nx)
+        {
+            // No lower than what is found already.
+            highest = std::max(highest, columns.highest(nx, nz, y, std::max(highest, 0)));
+        }
+    }
+    return highest;
+}
 
 std::optional<double> contactBelow(const World& world, const FallIndex& falls,
                                    const Eigen::Vector3d& p, double radius)

@@ -78,7 +78,7 @@ Contact contactFrom(const Eigen::Vector3d& before, const SignedDistance& here,
 } // namespace
 
 Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
-                       const Restitution& restitution, SphereSearchPart* search)
+                       const Restitution& restitution, SpheresByGrid* search)
     : spheres_(spheres), running_(spheres.running()), surface_(surface), polygons_(polygons),
       restitution_(restitution), search_(search)
 {

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "simulation/contact/contact.hpp"
-#include "simulation/paper/polygon_search.hpp"
-#include "simulation/paper/sphere_search.hpp"
+#include "simulation/paper/searches.hpp"
 #include "simulation/world/spheres.hpp"
 
 #include <frostfill/measure.hpp>
@@ -24,7 +23,7 @@ public:
     /// With `search`, cycle 2 looks only at the spheres at rest that it finds; without it at all of
     /// them, as the paper does. Everything but the restitution outlives this.
     Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
-               const Restitution& restitution, SphereSearchPart* search = nullptr);
+               const Restitution& restitution, SpheresByGrid* search = nullptr);
 
     /// Cycle 1, running with running: both respond.
     void runningRunning(OperationCounts& counts);
@@ -67,7 +66,7 @@ private:
     const Surface& surface_;
     const PolygonSearchPart& polygons_;
     Restitution restitution_;
-    SphereSearchPart* search_;
+    SpheresByGrid* search_;
     std::vector<bool> touched_;
     std::vector<std::uint32_t> nearby_; ///< polygons near the sphere in hand
     double deepest_ = 0;                ///< deepest push off a polygon of the sphere in hand

@@ -1,12 +1,121 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/quality/contact_network.hpp"
 
-#include "simulation/quality/beside.hpp"
+#include "base/threads.hpp"
+#include "mesh/disjoint_sets.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace frostfill
 {
+
+namespace
+{
+
+double distanceToEdge(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+    const Eigen::Vector3d along = b - a;
+    const double share = std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (p - a - share * along).norm();
+}
+
+/// Edges of near triangles, by the vertices at their ends, the lower one first.
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+/// Pieces into which triangles fall that meet at these edges. Each edge has the number of its
+/// triangle, below `triangles`.
+std::uint32_t piecesOf(std::size_t triangles, std::vector<std::pair<Edge, std::size_t>>& edges)
+{
+    DisjointSets sets(triangles);
+    std::sort(edges.begin(), edges.end());
+    auto pieces = static_cast<std::uint32_t>(triangles);
+    for (std::size_t k = 1; k < edges.size(); ++k)
+    {
+        if (edges[k - 1].first == edges[k].first && sets.join(edges[k - 1].second, edges[k].second))
+        {
+            --pieces;
+        }
+    }
+    return pieces;
+}
+
+} // namespace
+
+std::uint32_t wallPieces(const Surface& surface, std::span<const std::uint32_t> triangles,
+                         const Eigen::Vector3d& p, double reach, double onWall)
+{
+    std::size_t count = 0;
+    std::vector<std::pair<Edge, std::size_t>> edges;
+    for (const std::uint32_t t : triangles)
+    {
+        const auto& corner = surface[t].corner;
+        const double distance =
+            (p - closestPointOnTriangle(p, corner[0], corner[1], corner[2]).point).norm();
+        if (distance > reach || distance <= onWall)
+        {
+            continue;
+        }
+        const auto& vertices = surface.mesh().triangles[t];
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const std::size_t next = (k + 1) % 3;
+            if (distanceToEdge(p, corner[k], corner[next]) <= reach)
+            {
+                edges.push_back({std::minmax(vertices[k], vertices[next]), count});
+            }
+        }
+        ++count;
+    }
+    return piecesOf(count, edges);
+}
+
+namespace
+{
+
+std::uint32_t spheresBeside(const World& world, std::uint32_t id, const Eigen::Vector3d& p)
+{
+    std::uint32_t count = 0;
+    forEachSphereBeside(world.spheres.resting(), id, p, world.spheres.radius(id),
+                        [&](std::uint32_t, const Eigen::Vector3d& apart, double)
+                        { count += apart.isZero(0) ? 0 : 1; });
+    return count;
+}
+
+std::uint32_t wallsBeside(const World& world, std::uint32_t id, const Eigen::Vector3d& p)
+{
+    const double reach = world.spheres.radius(id) * (1 + kContactGap);
+    std::vector<std::uint32_t> nearby;
+    return wallPieces(world.surface, world.triangles.near(p, reach, nearby), p, reach, kOnWall);
+}
+
+} // namespace
+
+std::uint32_t restingContacts(const World& world, std::uint32_t id)
+{
+    const Eigen::Vector3d p = world.spheres.position(id);
+    if (world.spheres.isRunning(id) || !p.allFinite())
+    {
+        return 0;
+    }
+    return spheresBeside(world, id, p) + wallsBeside(world, id, p);
+}
+
+std::vector<double> contactsAtRest(const World& world)
+{
+    const SphereGrid& resting = world.spheres.resting();
+    std::vector<double> contacts(resting.size());
+    Threads threads(world.scene.threads);
+    threads.forEach(contacts.size(),
+                    [&](std::size_t row)
+                    {
+                        const std::uint32_t id = resting.id(static_cast<std::uint32_t>(row));
+                        contacts[row] = restingContacts(world, id);
+                    });
+    return contacts;
+}
+
 namespace
 {
 

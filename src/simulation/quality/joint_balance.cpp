@@ -2,7 +2,6 @@
 #include "simulation/quality/joint_balance.hpp"
 
 #include "base/random.hpp"
-#include "simulation/quality/force_cone.hpp"
 #include "simulation/quality/tolerances.hpp"
 
 #include <Eigen/Geometry>
@@ -13,6 +12,74 @@
 
 namespace frostfill
 {
+namespace
+{
+
+/// The normal force of the projection. Its slope is that of a sum of squares, of what is cut off:
+/// linear between the two normal forces from which nothing is.
+double normalForceOf(double along, double across, double roll, const ConeSlopes& slopes)
+{
+    for (const bool cutsForce : {false, true})
+    {
+        for (const bool cutsRoll : {false, true})
+        {
+            const double friction = cutsForce ? slopes.friction : 0;
+            const double rolling = cutsRoll ? slopes.rolling : 0;
+            const double found = (along + friction * across + rolling * roll) /
+                                 (1 + friction * friction + rolling * rolling);
+            if (cutsForce == (across > slopes.friction * found) &&
+                cutsRoll == (roll > slopes.rolling * found))
+            {
+                return found;
+            }
+        }
+    }
+    return 0; // pushes the other way, or rounding decides
+}
+
+Eigen::Vector3d shortened(const Eigen::Vector3d& vector, double length, double most)
+{
+    return length > most ? Eigen::Vector3d(most / length * vector) : vector;
+}
+
+} // namespace
+
+Eigen::Vector3d projectToCone(const Eigen::Vector3d& force, const Eigen::Vector3d& normal,
+                              double friction)
+{
+    const double along = force.dot(normal);
+    const Eigen::Vector3d across = force - along * normal;
+    const double length = across.norm();
+    if (along >= 0 && length <= friction * along)
+    {
+        return force;
+    }
+    const double onto = (along + friction * length) / (1 + friction * friction);
+    if (onto <= 0)
+    {
+        return Eigen::Vector3d::Zero();
+    }
+    const double share = length > 0 ? friction * onto / length : 0;
+    return onto * normal + share * across;
+}
+
+ContactLoad projectToCone(const ContactLoad& load, const Eigen::Vector3d& normal,
+                          const ConeSlopes& slopes)
+{
+    const double along = load.force.dot(normal);
+    const Eigen::Vector3d across = load.force - along * normal;
+    const Eigen::Vector3d roll = load.roll - load.roll.dot(normal) * normal;
+    const double acrossLength = across.norm();
+    const double rollLength = roll.norm();
+    const double onto = normalForceOf(along, acrossLength, rollLength, slopes);
+    if (onto <= 0)
+    {
+        return {};
+    }
+    return {onto * normal + shortened(across, acrossLength, slopes.friction * onto),
+            shortened(roll, rollLength, slopes.rolling * onto)};
+}
+
 namespace
 {
 
@@ -39,7 +106,6 @@ bool isHopeless(const std::vector<std::size_t>& looks, std::size_t except)
 JointBalance::JointBalance(const ContactNetwork& network, Threads& threads)
     : network_(network), threads_(threads),
       force_(network.contacts.size(), Eigen::Vector3d::Zero()), ahead_(force_), next_(force_),
-      firstContact_(network.bodies.size() + 1, 0),
       acceleration_(network.bodies.size(), Eigen::Vector3d::Zero()), spin_(acceleration_)
 {
     if (network.rollingFriction > 0)
@@ -47,25 +113,18 @@ JointBalance::JointBalance(const ContactNetwork& network, Threads& threads)
         roll_ = rollAhead_ = rollNext_ = force_;
     }
     const auto& contacts = network.contacts;
-    const auto forEachEnd = [&](auto&& visit)
-    {
-        for (std::uint32_t k = 0; k < contacts.size(); ++k)
-        {
-            visit(contacts[k].upon, 2 * k);
-            if (contacts[k].from != ContactNetwork::kWall)
-            {
-                visit(contacts[k].from, 2 * k + 1);
-            }
-        }
-    };
-    forEachEnd([&](std::uint32_t body, std::uint32_t) { ++firstContact_[body + 1]; });
-    for (std::size_t body = 1; body < firstContact_.size(); ++body)
-    {
-        firstContact_[body] += firstContact_[body - 1];
-    }
-    contactsOf_.resize(firstContact_.back());
-    std::vector<std::uint32_t> next(firstContact_.begin(), firstContact_.end() - 1);
-    forEachEnd([&](std::uint32_t body, std::uint32_t end) { contactsOf_[next[body]++] = end; });
+    contactsOf_ = Buckets<std::uint32_t>(network.bodies.size(),
+                                         [&](auto&& enter)
+                                         {
+                                             for (std::uint32_t k = 0; k < contacts.size(); ++k)
+                                             {
+                                                 enter(contacts[k].upon, 2 * k);
+                                                 if (contacts[k].from != ContactNetwork::kWall)
+                                                 {
+                                                     enter(contacts[k].from, 2 * k + 1);
+                                                 }
+                                             }
+                                         });
 }
 
 // Forces lie at the points of contact, so the torque on both bodies is the same but for the radius.
@@ -78,17 +137,16 @@ void JointBalance::accelerate(const Vectors& force, const Vectors& roll, bool pu
                     {
                         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
                         Eigen::Vector3d torque = Eigen::Vector3d::Zero();
-                        for (std::uint32_t k = firstContact_[body]; k < firstContact_[body + 1];
-                             ++k)
+                        for (const std::uint32_t end : contactsOf_[body])
                         {
-                            const std::uint32_t contact = contactsOf_[k] / 2;
+                            const std::uint32_t contact = end / 2;
                             const Eigen::Vector3d& f = force[contact];
-                            contactsOf_[k] % 2 == 0 ? sum += f : sum -= f;
+                            end % 2 == 0 ? sum += f : sum -= f;
                             torque -= network_.contacts[contact].normal.cross(f);
                             if (!roll.empty())
                             {
                                 const Eigen::Vector3d m = armOver(body, contact) * roll[contact];
-                                contactsOf_[k] % 2 == 0 ? torque += m : torque -= m;
+                                end % 2 == 0 ? torque += m : torque -= m;
                             }
                         }
                         const double mass = massOf(network_.bodies[body]);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
 #include "base/threads.hpp"
 #include "simulation/quality/contact_network.hpp"
-#include "simulation/quality/force_cone.hpp"
+
+#include <Eigen/Core>
 
 #include <cstddef>
 #include <limits>
@@ -11,6 +13,29 @@
 
 namespace frostfill
 {
+
+/// The nearest force whose tangential part is at most `friction` times its normal one.
+[[nodiscard]] Eigen::Vector3d projectToCone(const Eigen::Vector3d& force,
+                                            const Eigen::Vector3d& normal, double friction);
+
+/// What a contact can do: a force, and what resists rolling, a moment over the contact's arm.
+struct ContactLoad
+{
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    Eigen::Vector3d roll = Eigen::Vector3d::Zero();
+};
+
+/// How far both go, over the normal force.
+struct ConeSlopes
+{
+    double friction = 0;
+    double rolling = 0;
+};
+
+/// The nearest load whose normal force pushes, whose tangential force is at most the friction times
+/// it, and whose moment lies across the normal and is at most the rolling friction times it.
+[[nodiscard]] ContactLoad projectToCone(const ContactLoad& load, const Eigen::Vector3d& normal,
+                                        const ConeSlopes& slopes);
 
 /// When forces are good enough.
 struct BalanceGoal
@@ -104,8 +129,7 @@ private:
     Vectors rollAhead_;
     Vectors rollNext_;
     // By body.
-    std::vector<std::uint32_t> firstContact_; ///< [#bodies + 1] in contactsOf_
-    std::vector<std::uint32_t> contactsOf_;   ///< the contact twice, plus 1 for the one that pushes
+    Buckets<std::uint32_t> contactsOf_; ///< the contact twice, plus 1 for the one that pushes
     Vectors acceleration_;
     Vectors spin_; ///< angular acceleration times radius
 };

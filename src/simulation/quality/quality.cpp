@@ -4,10 +4,10 @@
 #include "base/threads.hpp"
 #include "mesh/interior/winding_columns.hpp"
 #include "scene/packing_estimate.hpp"
-#include "simulation/quality/beside.hpp"
+#include "scene/size_ledger.hpp"
 #include "simulation/quality/contact_network.hpp"
+#include "simulation/quality/equilibrium.hpp"
 #include "simulation/quality/heap_slope.hpp"
-#include "simulation/quality/support.hpp"
 #include "simulation/quality/tolerances.hpp"
 
 #include <frostfill/error.hpp>
@@ -311,6 +311,31 @@ void place(World& world, std::span<const Eigen::Vector3d> centres, std::span<con
         atRest[k] && centre.allFinite() ? world.spheres.addResting(centre, radius, 0)
                                         : world.spheres.add(centre, radius, 0);
     }
+}
+
+std::optional<SizeReport> sizeReport(const World& world)
+{
+    if (!world.radii.curve())
+    {
+        return std::nullopt;
+    }
+    SizeLedger ledger(*world.radii.curve());
+    for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+    {
+        ledger.add(world.spheres.radius(id));
+    }
+    SizeReport report;
+    const std::vector<double>& sieves = ledger.sieves();
+    for (std::size_t k = 0; k < sieves.size(); ++k)
+    {
+        const auto [asked, achieved] = ledger.mass(k);
+        const auto [askedNumber, achievedNumber] = ledger.number(k);
+        report.points.push_back(
+            {sieves[k] * world.frame.length, asked, achieved, askedNumber, achievedNumber});
+    }
+    report.deviation = ledger.deviation();
+    report.at = report.points[ledger.worst()].radius;
+    return report;
 }
 
 } // namespace frostfill

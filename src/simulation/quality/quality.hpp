@@ -7,6 +7,7 @@
 #include "simulation/quality/equilibrium.hpp"
 #include "simulation/world/world.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,5 +37,8 @@ namespace frostfill
 /// beside each, whatever their sizes.
 void place(World& world, std::span<const Eigen::Vector3d> centres, std::span<const double> radii,
            const std::vector<bool>& atRest);
+
+/// See Simulation::sizes.
+[[nodiscard]] std::optional<SizeReport> sizeReport(const World& world);
 
 } // namespace frostfill

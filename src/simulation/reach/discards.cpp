@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/discards.hpp"
 
-#include "base/stage_timer.hpp"
+#include "base/timers.hpp"
 #include "mesh/interior/near_surface.hpp"
 #include "simulation/world/tolerances.hpp"
 
@@ -30,6 +30,24 @@ bool wakesEverything(const Scene& scene)
 {
     return scene.move.any() || scene.rest.mode == Rest::joint ||
            scene.motion.mode == Motion::granular;
+}
+
+/// Whether some cubes of a set may be in a box.
+bool hasAny(const Cubes& cubes, const CubeSet& set, const Eigen::AlignedBox3d& box)
+{
+    const GridPlace low = cubes.frame().coordinates(box.min());
+    const GridPlace high = cubes.frame().coordinates(box.max());
+    for (int z = low[2]; z <= high[2]; ++z)
+    {
+        for (int y = low[1]; y <= high[1]; ++y)
+        {
+            if (cubes.any(set, y, z, {low[0], high[0]}))
+            {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 } // namespace
@@ -126,8 +144,10 @@ bool Discards::findOpenCubes()
 {
     if (!open_)
     {
-        open_ =
-            openCubesOf(world_.surface, world_.inside, world_.radii.smallest(), kMostMapBytes).open;
+        Threads threads(world_.scene.threads);
+        open_ = openCubesOf(world_.surface, world_.inside, world_.radii.smallest(), kMostMapBytes,
+                            threads)
+                    .open;
         isOff_ = !open_;
     }
     return open_.has_value();
@@ -159,7 +179,7 @@ bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness)
     const double reach = ball.radius + world_.radii.largest() + kDiscardGap;
     const double ofPart = reach + ClearSearch::reachOfPart(open_->cubes.frame().cell);
     const Eigen::Vector3d centre = ball.position();
-    if (!open_->cubes.mayHaveAny(open_->inside, {centre.array() - reach, centre.array() + reach}))
+    if (!hasAny(open_->cubes, open_->inside, {centre.array() - reach, centre.array() + reach}))
     {
         return false;
     }
@@ -182,11 +202,6 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
     const double reach = world_.radii.largest() + kDiscardGap;
     const std::array<std::uint32_t, 1> alone = {polygon};
     const TriangleGroup group = groupOf(world_.surface, alone);
-    if (!cubes.mayHaveAny(open_->inside,
-                          {group.box.min().array() - reach, group.box.max().array() + reach}))
-    {
-        return false;
-    }
     const NearGroup near(world_.surface, group,
                          reach + ClearSearch::reachOfPart(cubes.frame().cell));
     const auto isNear = [&](const Eigen::Vector3d& part)

@@ -28,7 +28,8 @@ std::optional<Cubes> chooseCubes(const Surface& surface, const InsideTest& insid
             continue;
         }
         const GridFrame frame = GridFrame::cover(surface.box(), voxel, margin + 2 * voxel);
-        if (auto cubes = Cubes::inReach(frame, inside, bytes / sizeof(std::uint64_t)))
+        const auto most = static_cast<double>(bytes / sizeof(std::uint64_t));
+        if (auto cubes = Cubes::inReach(frame, inside, most, kWholeGrid))
         {
             return cubes;
         }
@@ -108,61 +109,10 @@ std::optional<Eigen::Vector3d> findLeak(const Surface& surface, const InsideTest
     return std::nullopt;
 }
 
-// Cubes that are connected lie on the same side of the surface: one test serves all of them.
-CubeSet keepInside(const Cubes& cubes, const InsideTest& inside, CubeSet open)
-{
-    CubeSet kept(cubes.words(), 0);
-    for (std::size_t word = 0; word < open.size(); ++word)
-    {
-        while (open[word] != 0)
-        {
-            const CubeWord first{word, open[word] & -open[word]};
-            bool isInside = false;
-            cubes.forEachCube(first, [&](const GridPlace& cube)
-                              { isInside = inside.contains(cubes.middle(cube)); });
-            cubes.takeConnected(open, first,
-                                [&](CubeWord found)
-                                { kept[found.word] |= isInside ? found.bits : 0; });
-        }
-    }
-    return kept;
-}
-
 } // namespace
 
-CubeSet cubesFartherThan(const Surface& surface, const Cubes& cubes, double distance, CubeSet among)
-{
-    const auto closeIn = [&](int y, int z, CellRun run, auto&& isNear)
-    {
-        forEachWordOf(run,
-                      [&](int x, std::uint64_t bits)
-                      {
-                          std::uint64_t& its = among[cubes.word(x, y, z)];
-                          for (bits &= its; bits != 0; bits &= bits - 1)
-                          {
-                              const int bit = std::countr_zero(bits);
-                              its &= ~(std::uint64_t{isNear(64 * x + bit) ? 1U : 0U} << bit);
-                          }
-                      });
-    };
-    // Where triangles are small, most rows have been closed by their neighbours.
-    const auto nextWithSome = [&](int y, int z, int last, CellRun most)
-    {
-        while (z <= last && !cubes.any(among, y, z, most))
-        {
-            ++z;
-        }
-        return z;
-    };
-    forEachGroup(surface, cubes.frame().cell,
-                 [&](const TriangleGroup& group) {
-                     forEachRunNear(cubes.frame(), surface, group, distance, closeIn, nextWithSome);
-                 });
-    return among;
-}
-
 EmptyObject openCubesOf(const Surface& surface, const InsideTest& inside, double probe,
-                        std::size_t bytes, CubeSet* unblocked)
+                        std::size_t bytes, Threads& threads, CubeSet* unblocked)
 {
     OpenCubes open;
     open.probe = probe;
@@ -175,13 +125,8 @@ EmptyObject openCubesOf(const Surface& surface, const InsideTest& inside, double
     }
     open.cubes = *std::move(cubes);
     const Cubes& all = open.cubes;
-    CubeSet left(all.words());
-    for (std::size_t word = 0; word < left.size(); ++word)
-    {
-        left[word] = all.inGrid(word);
-    }
-    left = cubesFartherThan(surface, all, open.exclusion(probe) - kHalfDiagonal * all.frame().cell,
-                            std::move(left));
+    CubeSet left = cubesFartherThan(
+        surface, all, open.exclusion(probe) - kHalfDiagonal * all.frame().cell, all.all(), threads);
     if (unblocked != nullptr)
     {
         *unblocked = left;
@@ -190,15 +135,18 @@ EmptyObject openCubesOf(const Surface& surface, const InsideTest& inside, double
     CubeSet outer(all.words(), 0);
     for (std::size_t word = 0; word < left.size(); ++word)
     {
-        all.takeConnected(left, {word, all.outermost(word)},
-                          [&](CubeWord found) { outer[found.word] |= found.bits; });
+        if (left[word] != 0)
+        {
+            all.takeConnected(left, {word, all.outermost(word)},
+                              [&](CubeWord found) { outer[found.word] |= found.bits; });
+        }
     }
     EmptyObject result;
     result.leak = findLeak(surface, inside, all, outer, probe);
     if (!result.leak)
     {
         outer = {};
-        open.inside = keepInside(all, inside, std::move(left));
+        open.inside = cubesInside(all, inside, std::move(left));
         result.open = std::move(open);
     }
     return result;

@@ -4,13 +4,17 @@
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"
-#include "simulation/reach/cubes.hpp"
 #include "simulation/reach/tolerances.hpp"
+#include "simulation/world/cubes.hpp"
+
+#include <frostfill/simulation.hpp>
 
 #include <optional>
 
 namespace frostfill
 {
+
+struct World;
 
 /// Where the centre of a sphere may be, as a set of cubes. The set is never too small.
 ///
@@ -60,11 +64,12 @@ struct EmptyObject
 /// that a set of them takes no more than `bytes`. `unblocked`, if given, gets those of both sides
 /// that the surface does not close.
 [[nodiscard]] EmptyObject openCubesOf(const Surface& surface, const InsideTest& inside,
-                                      double probe, std::size_t bytes,
+                                      double probe, std::size_t bytes, Threads& threads,
                                       CubeSet* unblocked = nullptr);
 
-/// Those of a set whose middle is farther than this from the surface.
-[[nodiscard]] CubeSet cubesFartherThan(const Surface& surface, const Cubes& cubes, double distance,
-                                       CubeSet among);
+/// See frostfill::inspectReach: of a run's object and its smallest radius, with the searches that
+/// it has anyway. `open` gets the open cubes of the object, if they are known.
+[[nodiscard]] ReachInspection inspectReach(const World& world, std::size_t bytes,
+                                           std::optional<OpenCubes>& open);
 
 } // namespace frostfill

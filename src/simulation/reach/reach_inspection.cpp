@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/reach/reach_inspection.hpp"
-
 #include "mesh/interior/inside_test.hpp"
 #include "simulation/reach/clear_search.hpp"
-#include "simulation/world/memory_need.hpp"
+#include "simulation/reach/open_cubes.hpp"
 #include "simulation/world/tolerances.hpp"
+#include "simulation/world/world.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,20 +14,128 @@ namespace frostfill
 namespace
 {
 
+/// What of an object spheres of a radius cannot fill.
+struct UnfilledSpace
+{
+    double volume = 0;                    ///< that no sphere covers, crumbs included [r^3]
+    std::vector<UnreachableVolume> parts; ///< connected, largest first [r]
+};
+
+// Cubes up to `reach` to the left and right of a word's, those of the words beside it included.
+std::uint64_t widened(const Cubes& cubes, const CubeSet& set, const GridPlace& at, int reach)
+{
+    const auto [x, y, z] = at;
+    const std::uint64_t here = set[cubes.wordIfAny(x, y, z)];
+    const std::uint64_t left = set[cubes.wordIfAny(x - 1, y, z)];
+    const std::uint64_t right = set[cubes.wordIfAny(x + 1, y, z)];
+    std::uint64_t result = here;
+    for (int shift = 1; shift <= reach; ++shift)
+    {
+        result |= here << shift | here >> shift | left >> (64 - shift) | right << (64 - shift);
+    }
+    return result;
+}
+
+// Of a word, the cubes whose middle comes within `radius` of a cube of the set, radius in cubes.
+std::uint64_t dilated(const Cubes& cubes, const CubeSet& set, std::size_t word, double radius)
+{
+    const auto square = [](int steps) // of the distance from a middle to the cube so many farther
+    {
+        const double distance = std::max(0.0, std::abs(steps) - 0.5);
+        return distance * distance;
+    };
+    const auto [x, y, z] = cubes.first(word);
+    const int reach = static_cast<int>(std::lround(radius));
+    std::uint64_t result = 0;
+    for (int dy = -reach; dy <= reach; ++dy)
+    {
+        for (int dz = -reach; dz <= reach; ++dz)
+        {
+            const double rest = radius * radius - square(dy) - square(dz);
+            if (rest >= 0)
+            {
+                result |= widened(cubes, set, {x / 64, y + dy, z + dz},
+                                  std::min(63, static_cast<int>(std::lround(std::sqrt(rest)))));
+            }
+        }
+    }
+    return result;
+}
+
+std::vector<UnreachableVolume> findParts(const Cubes& cubes, CubeSet left, double smallestPart)
+{
+    std::vector<UnreachableVolume> parts;
+    const double edge = cubes.frame().cell;
+    for (std::size_t word = 0; word < left.size(); ++word)
+    {
+        while (left[word] != 0)
+        {
+            std::size_t count = 0;
+            UnreachableVolume part;
+            Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+            const auto take = [&](const GridPlace& cube)
+            {
+                const Eigen::Vector3d p = cubes.middle(cube);
+                ++count;
+                sum += p;
+                part.box.extend(Eigen::Vector3d(p.array() - edge / 2));
+                part.box.extend(Eigen::Vector3d(p.array() + edge / 2));
+            };
+            cubes.takeConnected(left, {word, left[word] & -left[word]},
+                                [&](CubeWord found) { cubes.forEachCube(found, take); });
+            part.volume = static_cast<double>(count) * edge * edge * edge;
+            part.centre = sum / static_cast<double>(count);
+            if (part.volume >= smallestPart)
+            {
+                parts.push_back(part);
+            }
+        }
+    }
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& a, const auto& b) { return a.volume > b.volume; });
+    return parts;
+}
+
+/// Cubes inside the object whose middle is farther from every open cube than the probe.
+/// `unblocked`: see openCubesOf; `inside`: of them those inside of the surface. Parts smaller than
+/// `smallestPart` [r^3] are left out. Only of the few cubes that are blocked and that no sphere
+/// covers, wherever they are, each is asked for its side.
+UnfilledSpace unfilledSpace(const OpenCubes& open, const CubeSet& unblocked,
+                            const CubeSet& unblockedInside, const InsideTest& inside,
+                            double smallestPart, Threads& threads)
+{
+    const Cubes& cubes = open.cubes;
+    const double edge = cubes.frame().cell;
+    CubeSet unfilled(cubes.words(), 0);
+    const auto look = [&](std::size_t word)
+    {
+        const std::uint64_t blocked = cubes.inGrid(word) & ~unblocked[word];
+        const std::uint64_t maybe = (blocked | unblockedInside[word]) & ~open.inside[word];
+        const std::uint64_t here =
+            maybe == 0 ? 0 : maybe & ~dilated(cubes, open.inside, word, open.probe / edge);
+        unfilled[word] = here & unblockedInside[word];
+        for (std::uint64_t left = here & blocked; left != 0; left &= left - 1)
+        {
+            const CubeWord cube{word, left & -left};
+            cubes.forEachCube(
+                cube, [&](const GridPlace& place)
+                { unfilled[word] |= inside.contains(cubes.middle(place)) ? cube.bits : 0; });
+        }
+    };
+    threads.forEach(cubes.words(), look);
+    std::size_t count = 0;
+    for (const std::uint64_t word : unfilled)
+    {
+        count += static_cast<std::size_t>(std::popcount(word));
+    }
+    return {static_cast<double>(count) * edge * edge * edge,
+            findParts(cubes, std::move(unfilled), smallestPart)};
+}
+
 constexpr double kOneSphere = 4.0 / 3.0 * std::numbers::pi; // [r^3]
 
-/// For each cell of a radius of a mesh of its own, and for each near walls: the map, of which no
-/// cube is made larger, and the lists of triangles. [bytes]
-constexpr double kBytesPerCell = 5;
-constexpr double kBytesPerWallCell = 20;
 /// Sets of cubes in memory at once.
 constexpr std::size_t kSetsOfCubes = 4;
-
-double memoryOf(const ObjectSize& object)
-{
-    const double cells = object.cells();
-    return kBytesPerCell * cells + kBytesPerWallCell * std::min(cells, object.wallCells());
-}
 
 /// In radii, about the middle of the mesh's box.
 TriangleMesh inRadii(TriangleMesh mesh, const Eigen::Vector3d& origin, double radius)
@@ -46,7 +153,7 @@ void closeCoveredCubes(OpenCubes& open, const Surface& surface, const ClearSearc
                        Threads& threads)
 {
     const Cubes& cubes = open.cubes;
-    const CubeSet clear = cubesFartherThan(surface, cubes, open.probe, open.inside);
+    const CubeSet clear = cubesFartherThan(surface, cubes, open.probe, open.inside, threads);
     const auto look = [&](std::size_t word)
     {
         std::uint64_t& its = open.inside[word];
@@ -77,7 +184,8 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
 {
     ReachInspection result;
     CubeSet unblocked;
-    EmptyObject empty = openCubesOf(surface, inside, radius, bytes / kSetsOfCubes, &unblocked);
+    EmptyObject empty =
+        openCubesOf(surface, inside, radius, bytes / kSetsOfCubes, threads, &unblocked);
     open = std::move(empty.open);
     result.leak = empty.leak;
     result.known = open || result.leak;
@@ -125,7 +233,7 @@ ReachInspection inspectReach(const TriangleMesh& mesh, double radius, std::size_
 {
     const Eigen::Vector3d origin = boundingBox(mesh).center();
     const Surface surface(inRadii(mesh, origin, radius));
-    if (memoryOf(ObjectSize(surface.mesh())) > static_cast<double>(bytes) ||
+    if (memoryNeed(ObjectSize(surface.mesh()), 0) > static_cast<double>(bytes) ||
         surface.box().sizes().maxCoeff() > kMaxLength)
     {
         return {};

@@ -33,7 +33,7 @@ inline constexpr double kMinGrowth = 1.0001;
 /// Words of a grid up to which all its cubes have words, also those outside of the object: then a
 /// hole is found, though what lies behind it is not known to be inside. Larger: memory for cubes
 /// outside. Smaller: a hole in an ordinary mesh may not be found.
-inline constexpr double kWholeGrid = 1 << 20;
+inline constexpr std::size_t kWholeGrid = std::size_t{1} << 20;
 
 /// The smallest sphere of a size curve up to which nothing is discarded: it passes between three of
 /// the largest that touch, 2 / sqrt(3) - 1. [largest radius] Larger: what is out of reach is not

@@ -3,7 +3,7 @@
 
 #include "base/random.hpp"
 #include "simulation/contact/depenetration.hpp"
-#include "simulation/release/size_draws.hpp"
+#include "simulation/release/release_rule.hpp"
 
 #include <frostfill/error.hpp>
 

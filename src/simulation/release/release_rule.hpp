@@ -1,17 +1,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/random.hpp"
 #include "base/threads.hpp"
-#include "simulation/contact/runner_grid.hpp"
+#include "scene/radius_distribution.hpp"
+#include "simulation/motion/vertical_drop.hpp"
+#include "simulation/release/tolerances.hpp"
 #include "simulation/world/world.hpp"
 
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace frostfill
 {
+
+/// The largest radius of each class, ascending: the smallest of all, then by a constant ratio.
+[[nodiscard]] std::vector<double> classLimits(const RadiusDistribution& radii);
+
+/// Numbers in [0, 1) any run of which is spread evenly: of n in a row, every interval has its share
+/// within about two, where independent ones would miss it by the root of n. Multiples of the golden
+/// ratio, from a random start [Niederreiter 1992].
+[[nodiscard]] inline double evenRandom(std::uint64_t seed, std::uint64_t number)
+{
+    constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15; // 2^64 (sqrt(5) - 1) / 2
+    const auto start =
+        static_cast<std::uint64_t>(std::ldexp(uniformRandom(seed, 0, kRadiusDraw), 53)) << 11;
+    return std::ldexp(static_cast<double>((start + number * kGolden) >> 11), -53);
+}
 
 /// What is asked of a place for a sphere.
 struct ReleaseQuery
@@ -65,14 +85,41 @@ public:
 [[nodiscard]] std::unique_ptr<ReleasePart> makeRelease(const World& world, double band,
                                                        Threads& threads);
 
-/// Looks for places for up to `wanted` spheres among the runners, and calls appear(sphere) for
-/// each; it may add to the runners. `query` says how places are prepared. Returns how many have
-/// appeared, maybe few for now.
-std::size_t releaseAmong(const RunningSpheres& runners, RunnerGrid& grid, std::size_t wanted,
+/// Looks for places for up to `wanted` spheres among the runners, with which it fills the grid, and
+/// calls appear(sphere) for each; it may add to the runners. `query` says how places are prepared.
+/// Returns how many have appeared, maybe few for now.
+std::size_t releaseAmong(const RunningSpheres& runners, SphereGrid& grid, std::size_t wanted,
                          ReleasePart& release, ReleaseQuery query, const StopRequest& stop,
                          const std::function<void(const PlacedSphere&)>& appear);
 
 /// Nothing can appear any more: says why the run is over, unless its count is reached.
 void endForWantOfPlaces(World& world, const ReleasePart& release);
+
+/// What depends on the spheres at rest. It knows those that are at rest when it is made, and is
+/// updated for each that comes to rest: where falls end, and where spheres can appear.
+struct RestObservers
+{
+    RestObservers(World& world, double band, Threads& threads)
+        : resting(world.spheres.resting()), falls(resting, world.triangles),
+          release(makeRelease(world, band, threads))
+    {
+        for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+        {
+            add(world.spheres.position(id), world.spheres.radius(id));
+        }
+    }
+
+    /// A sphere has come to rest. If it runs again, falls look where it was in vain, and nothing
+    /// appears there any more.
+    void add(const Eigen::Vector3d& place, double radius)
+    {
+        falls.insert(place, resting.levelFor(radius));
+        release->close(place, radius);
+    }
+
+    const SphereGrid& resting;
+    FallIndex falls;
+    std::unique_ptr<ReleasePart> release;
+};
 
 } // namespace frostfill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/release_sites.hpp"
 
+#include "base/buckets.hpp"
 #include "base/random.hpp"
 #include "simulation/contact/contact.hpp"
 
@@ -216,9 +217,8 @@ bool ReleaseSites::isTaken(std::size_t site) const
     return taken;
 }
 
-// Closes cell by cell of the grid, so that what is closed one after another lies close together in
-// memory. On several threads every other slab of cells first, then those between: spheres of one
-// slab close no sites that share a word with those of the next but one.
+// On several threads every other slab first, then those between: spheres of one slab close no sites
+// that share a word with those of the next but one.
 void ReleaseSites::startSweep()
 {
     if (sweeping_)
@@ -227,15 +227,26 @@ void ReleaseSites::startSweep()
     }
     sweeping_ = true;
     const SphereGrid& resting = world_.spheres.resting();
-    const std::array<int, 3>& count = resting.frame().count;
-    const auto closeSlab = [&](int slab)
-    {
-        const int end = std::min(count[2], (slab + 1) * kSlabThickness);
-        resting.forEachInLayers(slab * kSlabThickness, end - 1,
-                                [&](std::uint32_t row)
-                                { sites_.close(resting[row].position(), resting[row].radius); });
-    };
-    forEachSlab(threads_, (count[2] + kSlabThickness - 1) / kSlabThickness, closeSlab);
+    const GridFrame& frame = resting.frame();
+    const int slabs = (frame.count[2] + kSlabThickness - 1) / kSlabThickness;
+    const Buckets<std::uint32_t> rows(static_cast<std::size_t>(slabs),
+                                      [&](auto&& enter)
+                                      {
+                                          for (std::uint32_t row = 0; row < resting.size(); ++row)
+                                          {
+                                              const int slab = frame.coordinate(resting[row].z, 2) /
+                                                               kSlabThickness;
+                                              enter(static_cast<std::size_t>(slab), row);
+                                          }
+                                      });
+    forEachSlab(threads_, slabs,
+                [&](int slab)
+                {
+                    for (const std::uint32_t row : rows[static_cast<std::size_t>(slab)])
+                    {
+                        sites_.close(resting[row].position(), resting[row].radius);
+                    }
+                });
 }
 
 std::optional<Eigen::Vector3d> ReleaseSites::sweep(double radius, const ReleaseQuery& query)
@@ -246,7 +257,9 @@ std::optional<Eigen::Vector3d> ReleaseSites::sweep(double radius, const ReleaseQ
     if (scattered_)
     {
         const double share = uniformRandom(world_.scene.seed, ++draws_, kGapDraw);
-        first = static_cast<std::size_t>(share * static_cast<double>(sites_.end()));
+        first = SiteLattice::begin() +
+                static_cast<std::size_t>(share *
+                                         static_cast<double>(sites_.end() - SiteLattice::begin()));
     }
     const auto found = sweepFrom(first, radius, query);
     return found || first <= sweep_ ? found : sweepFrom(sweep_, radius, query);

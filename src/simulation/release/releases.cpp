@@ -2,7 +2,9 @@
 #include "simulation/release/releases.hpp"
 
 #include "base/random.hpp"
-#include "simulation/release/size_draws.hpp"
+#include "simulation/contact/depenetration.hpp"
+#include "simulation/release/inlets.hpp"
+#include "simulation/release/release_rule.hpp"
 #include "simulation/release/tolerances.hpp"
 
 #include <algorithm>
@@ -193,6 +195,166 @@ std::size_t Releases::classOf(double radius) const
     const auto found = std::partition_point(classes_.begin(), classes_.end(),
                                             [&](const Class& one) { return one.largest < radius; });
     return static_cast<std::size_t>(found - classes_.begin());
+}
+
+GapReleases::GapReleases(const World& world, double band, Threads& threads)
+    : world_(world), threads_(threads), band_(band)
+{
+    double below = 0;
+    for (const double limit : classLimits(world.radii))
+    {
+        const double share = world.radii.curve()->cumulative(limit, SizeCurve::kNumber);
+        if (share > below)
+        {
+            classes_.push_back({below, share, limit});
+            below = share;
+        }
+    }
+    std::reverse(classes_.begin(), classes_.end());
+    for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
+    {
+        const auto smaller =
+            std::find_if(classes_.begin() + 1, classes_.end(),
+                         [&](const Class& one) { return one.largest < world.spheres.radius(id); });
+        ++(smaller - 1)->placed;
+        ++draws_;
+    }
+    all_ = static_cast<double>(world.targetCount);
+    enter(0);
+}
+
+// Sites of classes that come later are not kept up to date, but found when their turn comes.
+void GapReleases::enter(std::size_t index)
+{
+    current_ = index;
+    drawn_.reset();
+    sites_.reset();
+    if (index == 1 && all_ == 0)
+    {
+        const Class& largest = classes_.front();
+        all_ = static_cast<double>(largest.placed) / (largest.high - largest.low);
+    }
+    if (index < classes_.size())
+    {
+        sites_.emplace(world_, classes_[index].largest, index == 0 ? band_ : -1, threads_);
+        sites_->scatter(index > 0);
+    }
+}
+
+// Until full, the largest are as many as fit; and the smallest, if the curve need not be kept.
+bool GapReleases::isComplete() const
+{
+    const bool isLast = current_ + 1 == classes_.size();
+    if (all_ == 0 || (isLast && world_.targetCount == 0 && !world_.scene.spheres.sizes.within))
+    {
+        return false;
+    }
+    const Class& one = classes_[current_];
+    // Down to its smallest: so that rounding adds up to no more than one sphere.
+    std::size_t before = 0;
+    for (std::size_t k = 0; k <= current_; ++k)
+    {
+        before += classes_[k].placed;
+    }
+    const double wanted = isLast ? all_ : all_ * (1 - one.low);
+    return static_cast<double>(before) >= std::round(wanted) ||
+           static_cast<double>(one.placed) >= std::ceil(all_ * (one.high - one.low));
+}
+
+std::optional<PlacedSphere> GapReleases::next(const ReleaseQuery& query)
+{
+    while (current_ < classes_.size())
+    {
+        if (isComplete())
+        {
+            enter(current_ + 1);
+            continue;
+        }
+        if (!drawn_)
+        {
+            drawn_ = radiusOfDraw(++draws_);
+        }
+        const double radius = *drawn_;
+        if (const auto place = sites_->find(radius, query))
+        {
+            ++classes_[current_].placed;
+            drawn_.reset();
+            return PlacedSphere{*place, radius};
+        }
+        if (query.isStopped() || sites_->any())
+        {
+            return std::nullopt; // it has not looked everywhere, or others run through a place
+        }
+        enter(current_ + 1);
+    }
+    return std::nullopt;
+}
+
+std::optional<Eigen::Vector3d> GapReleases::place(double radius, const ReleaseQuery& query)
+{
+    return ReleaseSites(world_, radius, -1, threads_).find(radius, query);
+}
+
+void GapReleases::close(const Eigen::Vector3d& centre, double radius)
+{
+    if (sites_)
+    {
+        sites_->close(centre, radius);
+    }
+}
+
+double GapReleases::radiusOfDraw(std::uint64_t number) const
+{
+    const Class& one = classes_[current_];
+    const double share = evenRandom(world_.scene.seed, number);
+    return world_.radii.curve()->quantile(one.low + share * (one.high - one.low));
+}
+
+std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Threads& threads)
+{
+    if (!world.scene.spheres.inlets.empty())
+    {
+        return std::make_unique<Inlets>(world);
+    }
+    if (world.scene.spheres.sizes.fillGaps)
+    {
+        return std::make_unique<GapReleases>(world, band, threads);
+    }
+    return std::make_unique<Releases>(world, band, threads);
+}
+
+std::size_t releaseAmong(const RunningSpheres& runners, SphereGrid& grid, std::size_t wanted,
+                         ReleasePart& release, ReleaseQuery query, const StopRequest& stop,
+                         const std::function<void(const PlacedSphere&)>& appear)
+{
+    query.stop = &stop;
+    query.givesUp = true; // when those that run have come to rest, every free place suits
+    query.suits = [&grid](const Eigen::Vector3d& place, double radius)
+    { return isClearOf(grid, place, radius); };
+    gather(grid, runners);
+    std::size_t found = 0;
+    while (found < wanted && !stop.isAsked())
+    {
+        query.ahead = std::clamp(wanted - found, kFewestDrawsAhead, kDrawsAhead);
+        const auto next = release.next(query);
+        if (!next)
+        {
+            break;
+        }
+        grid.insert(static_cast<std::uint32_t>(grid.size()), next->place, next->radius);
+        appear(*next);
+        ++found;
+    }
+    return found;
+}
+
+void endForWantOfPlaces(World& world, const ReleasePart& release)
+{
+    if (wantedOfSet(world, 1) == 0)
+    {
+        return;
+    }
+    (release.findsEveryPlace() ? world.clock.full : world.clock.inletsReached) = true;
 }
 
 } // namespace frostfill

@@ -22,8 +22,6 @@ inline constexpr double kMaxSites = 4e9;
 /// Words of 64 sites up to which a lattice has those of its whole box. [1] Larger: memory for sites
 /// outside. Smaller: closing a site takes a look at bricks.
 inline constexpr std::size_t kSmallLattice = 4'000'000;
-/// Words that a thread opens at once. [1] The answer is the same for any.
-inline constexpr std::size_t kWordsOfPart = 4096;
 /// Factor by which cells grow until there are few enough. Larger: coarser than need be.
 inline constexpr double kCellGrowth = 1.02;
 /// What rounding may take from a distance [1]. Smaller: a site may be taken for one on the other

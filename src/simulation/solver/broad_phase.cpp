@@ -23,43 +23,32 @@ void BroadPhase::findPairs(const Found& found)
     findPairs(running_.radius.all(), found);
 }
 
-// Few are looked at in the order of their rows, as they are elsewhere in a step: so each mostly
-// stays with the core that has it. Many, in the order of cells, as neighbours then lie in memory
-// together.
+// Many runners are looked at in the order of cells, as neighbours then lie in memory together.
 void BroadPhase::findPairs(std::span<const double> radii, const Found& found)
 {
     radii_ = radii;
     const std::uint32_t size = running_.size();
-    const auto tell = [&](std::size_t row) { found(static_cast<std::uint32_t>(row)); };
     if (size <= kFewRunners)
     {
         findAmongAll();
-        threads_.forEach(size, tell);
-        return;
-    }
-    layOutCells();
-    sortIntoCells();
-    if (usual_ < 1)
-    {
-        threads_.forEach(size, [&](std::size_t i) { findSmaller(nodes_[i]); });
-        tellSmaller();
-        threads_.forEach(size, tell);
-    }
-    else if (size > kFewInOrder)
-    {
-        threads_.forEach(size, [&](std::size_t i) { findNear(nodes_[i]); });
-        threads_.forEach(size, tell);
     }
     else
     {
+        layOutCells();
+        sortIntoCells();
+        const bool sizesDiffer = usual_ < 1;
         threads_.forEach(size,
                          [&](std::size_t i)
                          {
-                             const auto row = static_cast<std::uint32_t>(i);
-                             findNear({running_.position[row], radii_[row], row});
-                             found(row);
+                             const Node& node = nodes_.values()[i];
+                             sizesDiffer ? findSmaller(node) : findNear(node);
                          });
+        if (sizesDiffer)
+        {
+            tellSmaller();
+        }
     }
+    threads_.forEach(size, [&](std::size_t row) { found(static_cast<std::uint32_t>(row)); });
 }
 
 void BroadPhase::findAmongAll()
@@ -77,10 +66,6 @@ void BroadPhase::findAmongAll()
                 nearby_[k].push_back(i);
             }
         }
-    }
-    for (std::uint32_t row = 0; row < running_.size(); ++row)
-    {
-        nearbyCount_[row] = static_cast<std::uint32_t>(nearby_[row].size());
     }
 }
 
@@ -131,24 +116,26 @@ std::uint32_t BroadPhase::cellOf(const Eigen::Vector3d& p) const
 
 void BroadPhase::sortIntoCells()
 {
-    first_.assign(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2] + 1, 0);
     cells_.resize(running_.size());
-    nodes_.resize(running_.size());
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         cells_[row] = cellOf(running_.position[row]);
-        ++first_[cells_[row]];
     }
-    std::uint32_t end = 0;
-    for (std::uint32_t& first : first_)
-    {
-        end += first;
-        first = end;
-    }
-    for (std::uint32_t row = running_.size(); row-- > 0;)
-    {
-        nodes_[--first_[cells_[row]]] = {running_.position[row], radii_[row], row};
-    }
+    nodes_ =
+        Buckets<Node>(static_cast<std::size_t>(count_[0]) * count_[1] * count_[2],
+                      [this](auto&& enter)
+                      {
+                          for (std::uint32_t row = 0; row < running_.size(); ++row)
+                          {
+                              enter(cells_[row], Node{running_.position[row], radii_[row], row});
+                          }
+                      });
+}
+
+std::span<const BroadPhase::Node> BroadPhase::nodesIn(int left, int right, int y, int z) const
+{
+    const std::uint32_t begin = nodes_.starts()[cellAt(left, y, z)];
+    return nodes_.values().subspan(begin, nodes_.starts()[cellAt(right, y, z) + 1] - begin);
 }
 
 void BroadPhase::findNear(const Node& node)
@@ -165,10 +152,8 @@ void BroadPhase::findNear(const Node& node)
     {
         for (int ny = std::max(0, y - 1); ny <= std::min(count_[1] - 1, y + 1); ++ny)
         {
-            const std::uint32_t end = first_[cellAt(right, ny, nz) + 1];
-            for (std::uint32_t k = first_[cellAt(left, ny, nz)]; k < end; ++k)
+            for (const Node& other : nodesIn(left, right, ny, nz))
             {
-                const Node& other = nodes_[k];
                 if (mayTouch(node.position, node.radius, other.position, other.radius) &&
                     other.row != node.row)
                 {
@@ -178,7 +163,6 @@ void BroadPhase::findNear(const Node& node)
         }
     }
     std::sort(nearby.begin(), nearby.end());
-    nearbyCount_[node.row] = static_cast<std::uint32_t>(nearby.size());
 }
 
 // A search that each pair is found by once, from the larger of the two: small ones, which are many,
@@ -193,10 +177,9 @@ void BroadPhase::findSmaller(const Node& node)
     {
         for (int y = along(p.y() - reach, 1); y <= along(p.y() + reach, 1); ++y)
         {
-            const std::uint32_t end = first_[cellAt(along(p.x() + reach, 0), y, z) + 1];
-            for (std::uint32_t k = first_[cellAt(along(p.x() - reach, 0), y, z)]; k < end; ++k)
+            for (const Node& other :
+                 nodesIn(along(p.x() - reach, 0), along(p.x() + reach, 0), y, z))
             {
-                const Node& other = nodes_[k];
                 if (std::tie(other.radius, other.row) < std::tie(node.radius, node.row) &&
                     mayTouch(p, node.radius, other.position, other.radius))
                 {
@@ -225,9 +208,8 @@ void BroadPhase::tellSmaller()
     threads_.forEach(size,
                      [&](std::size_t k)
                      {
-                         const auto row = static_cast<std::uint32_t>(k);
-                         std::sort(nearby_[row].begin(), nearby_[row].end());
-                         nearbyCount_[row] = static_cast<std::uint32_t>(nearby_[row].size());
+                         auto& nearby = nearby_[static_cast<std::uint32_t>(k)];
+                         std::sort(nearby.begin(), nearby.end());
                      });
 }
 

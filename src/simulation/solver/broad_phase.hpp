@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
 #include "base/threads.hpp"
 #include "simulation/solver/tolerances.hpp"
 #include "simulation/world/running_spheres.hpp"
@@ -22,8 +23,7 @@ class BroadPhase
 public:
     /// `margin`: gap up to which two are a pair. [r]
     BroadPhase(RunningSpheres& running, Threads& threads, double margin = kPairMargin)
-        : running_(running), threads_(threads), margin_(margin), nearby_(running),
-          nearbyCount_(running)
+        : running_(running), threads_(threads), margin_(margin), nearby_(running)
     {
     }
     /// For runners of different sizes: cells are as for those of this radius, and the margin is for
@@ -46,9 +46,7 @@ public:
     {
         return nearby_[row];
     }
-    /// How many those are: for who asks for all rows, and the lists of few.
-    [[nodiscard]] std::uint32_t nearbyCount(std::uint32_t row) const { return nearbyCount_[row]; }
-    [[nodiscard]] bool isPaired(std::uint32_t row) const { return nearbyCount_[row] != 0; }
+    [[nodiscard]] bool isPaired(std::uint32_t row) const { return !nearby_[row].empty(); }
 
 private:
     static void doNothing(std::uint32_t) {}
@@ -69,6 +67,8 @@ private:
     {
         return static_cast<std::uint32_t>((z * count_[1] + y) * count_[0] + x);
     }
+    /// Runners in the cells from `left` to `right` of a row.
+    [[nodiscard]] std::span<const Node> nodesIn(int left, int right, int y, int z) const;
     [[nodiscard]] int along(double position, int axis) const;
     [[nodiscard]] std::uint32_t cellOf(const Eigen::Vector3d& p) const;
     void findNear(const Node& node);
@@ -81,13 +81,11 @@ private:
     double usual_ = 1;              ///< radius that cells are for; below 1 sizes differ
     std::span<const double> radii_; ///< by row, while pairs are searched
     RunningColumn<std::vector<std::uint32_t>> nearby_;
-    RunningColumn<std::uint32_t> nearbyCount_;
     Eigen::Vector3d low_ = Eigen::Vector3d::Zero(); ///< corner of the first cell
     double edge_ = 1;                               ///< of a cell [r]
     std::array<int, 3> count_ = {1, 1, 1};          ///< of cells
-    std::vector<std::uint32_t> first_;              ///< by cell, x fastest: its first node
     std::vector<std::uint32_t> cells_;              ///< by row
-    std::vector<Node> nodes_;                       ///< by cell, then by row
+    Buckets<Node> nodes_;                           ///< by cell, x fastest, then by row
     std::vector<std::size_t> found_;                ///< by row: how many smaller ones
 };
 

@@ -51,7 +51,7 @@ void Crowd::arrange()
 {
     cut();
     sortIntoSlabs();
-    const std::size_t size = members_.size();
+    const std::size_t size = gathered_.size();
     balls_.resize(size);
     rows_.resize(size);
     firstNear_.resize(size);
@@ -60,10 +60,10 @@ void Crowd::arrange()
     std::size_t first = 0;
     for (std::uint32_t slot = 0; slot < size; ++slot)
     {
-        rows_[slot] = members_[slot].row;
+        rows_[slot] = members_.values()[slot].row;
         slot_[rows_[slot]] = slot;
         firstNear_[slot] = first;
-        first += pairs_.nearbyCount(rows_[slot]);
+        first += pairs_.nearby(rows_[slot]).size();
     }
     nearby_.resize(first);
     forEachMember([this](std::uint32_t slot) { enlist(slot); });
@@ -133,26 +133,20 @@ double Crowd::longestPair(int axis) const
 
 void Crowd::sortIntoSlabs()
 {
-    for (const Member& one : gathered_)
-    {
-        ++slabs_[one.slab].end;
-    }
-    std::uint32_t begin = 0;
-    for (Slab& slab : slabs_)
-    {
-        slab.begin = begin;
-        begin += slab.end;
-        slab.end = slab.begin;
-    }
-    members_.resize(gathered_.size());
-    for (const Member& one : gathered_)
-    {
-        members_[slabs_[one.slab].end++] = one;
-    }
+    members_ = Buckets<Member>(slabs_.size(),
+                               [this](auto&& enter)
+                               {
+                                   for (const Member& one : gathered_)
+                                   {
+                                       enter(one.slab, one);
+                                   }
+                               });
     threads_.forEachLarge(slabs_.size(),
-                          [this](std::size_t k) {
-                              std::sort(members_.begin() + slabs_[k].begin,
-                                        members_.begin() + slabs_[k].end, isBelow);
+                          [this](std::size_t k)
+                          {
+                              slabs_[k] = {members_.starts()[k], members_.starts()[k + 1]};
+                              const std::span<Member> slab = members_[k];
+                              std::sort(slab.begin(), slab.end(), isBelow);
                           });
 }
 
@@ -167,7 +161,8 @@ void Crowd::enlist(std::uint32_t slot)
         const std::uint32_t other = slot_[row];
         if (other != kNone)
         {
-            *next++ = {other & kLargestSlot, isBelow(members_[other], members_[slot])};
+            *next++ = {other & kLargestSlot,
+                       isBelow(members_.values()[other], members_.values()[slot])};
         }
     }
     nearCount_[slot] = static_cast<std::uint32_t>(next - first);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
 #include "base/threads.hpp"
 #include "simulation/solver/broad_phase.hpp"
 #include "simulation/world/sphere_grid.hpp"
@@ -104,7 +105,7 @@ private:
     std::vector<Member> gathered_; ///< by row
     std::vector<Slab> slabs_;
     // By slot.
-    std::vector<Member> members_;
+    Buckets<Member> members_; ///< by slab
     std::vector<Ball> balls_;
     std::vector<std::uint32_t> rows_;
     std::vector<std::size_t> firstNear_;

@@ -10,15 +10,6 @@
 namespace frostfill
 {
 
-namespace
-{
-
-/// Members whose neighbourhood is asked for before it is needed. Rows lie in memory as they were
-/// released, not from below.
-constexpr std::uint32_t kAhead = 4;
-
-} // namespace
-
 void PositionSolver::resolve(double dt, const Observe& observe)
 {
     down_ = flight_.down();
@@ -97,10 +88,6 @@ double PositionSolver::sweepSlab(const Crowd::Slab& slab, double yieldShare, dou
     double deepest = 0;
     for (std::uint32_t slot = slab.begin; slot < slab.end; ++slot)
     {
-        if (slot + kAhead < slab.end)
-        {
-            flight_.prefetch(crowd_.row(slot + kAhead));
-        }
         if (clear_[slot] != 0)
         {
             continue;

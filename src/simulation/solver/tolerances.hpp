@@ -19,9 +19,6 @@ inline constexpr double kPairMargin = 0.3;
 inline constexpr double kLongestOfMargin = 0.33;
 /// Runners up to which all pairs are looked at, which is faster than cells for so few.
 inline constexpr std::size_t kFewRunners = 64;
-/// Runners up to which pairs are looked for in the order of rows. Larger: many runners take longer,
-/// as those near one another lie apart in memory. Smaller: threads take runners from one another.
-inline constexpr std::size_t kFewInOrder = 4096;
 /// Cells for each runner at most. Larger: time for empty cells. Smaller: more runners to look at.
 inline constexpr double kCellsForRunner = 2;
 /// The same where sizes differ: small runners look at few cells.

@@ -6,51 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace frostfill
 {
-namespace
-{
-
-using Box = Eigen::AlignedBox3d;
-
-double cellsOf(const Eigen::Vector3d& size)
-{
-    return (size.array() + 2 * kGridMargin).prod();
-}
-
-/// Parts one beside the other in x, by the boxes where they are. Their middles are level, and that
-/// of the row is the origin.
-std::vector<MovedPart> rowOf(const std::vector<Box>& boxes)
-{
-    double length = -kGapOfParts;
-    for (const Box& box : boxes)
-    {
-        length += kGapOfParts + box.sizes().x();
-    }
-    std::vector<MovedPart> row;
-    double x = -length / 2;
-    for (const Box& box : boxes)
-    {
-        const Eigen::Vector3d middle(x + box.sizes().x() / 2, 0, 0);
-        x += box.sizes().x() + kGapOfParts;
-        row.push_back({box, middle - box.center(), x - kGapOfParts / 2});
-    }
-    return row;
-}
-
-Eigen::Vector3d sizeOf(const std::vector<MovedPart>& row)
-{
-    Eigen::Vector3d size = Eigen::Vector3d::Zero();
-    for (const MovedPart& part : row)
-    {
-        size = size.cwiseMax(part.box.sizes());
-    }
-    size.x() = 2 * row.back().end;
-    return size;
-}
-
-} // namespace
 
 FrameOfRun::FrameOfRun(const Scene& scene, const Eigen::AlignedBox3d& box, double radius)
     : origin(box.center()), length(radius)
@@ -85,37 +44,95 @@ TriangleMesh FrameOfRun::toRun(const TriangleMesh& mesh) const
     return result;
 }
 
-FrameOfRun::FrameOfRun(const Scene& scene, const TriangleMesh& mesh, const Box& box, double radius)
-    : FrameOfRun(scene, box, radius)
+namespace
 {
-    const Eigen::Vector3d size = box.sizes() / length;
-    // A part that moves away from the axis about which the object turns would feel other forces.
-    if (cellsOf(size) <= kManyCells || scene.move.any())
+
+/// From 0 to 1 with velocity and acceleration zero at both ends.
+double smoothStep(double t)
+{
+    t = std::clamp(t, 0.0, 1.0);
+    return t * t * t * (10 + t * (6 * t - 15));
+}
+
+} // namespace
+
+Eigen::Vector3d Pull::direction(const Eigen::Vector3d& p) const
+{
+    const Eigen::Vector3d pull = at(p, Eigen::Vector3d::Zero());
+    const double strength = pull.norm();
+    return strength > kWeightless ? Eigen::Vector3d(pull / strength) : Eigen::Vector3d::Zero();
+}
+
+ObjectMotion::ObjectMotion(const MoveSettings& settings, const FrameOfRun& frame, double height)
+    : gravity_(frame.gravity), tilt_(settings.tilt * std::numbers::pi / 180),
+      turn_(settings.turn * std::numbers::pi / 180), shake_(settings.shake / frame.length)
+{
+    if (!settings.any())
     {
         return;
     }
-    const std::vector<Box> boxes = separateBoxes(toRun(mesh), kGapOfParts);
-    std::vector<MovedPart> row = rowOf(boxes);
-    if (boxes.size() > 1 && kWorthMoving * cellsOf(sizeOf(row)) < cellsOf(size))
+    duration_ =
+        settings.duration ? *settings.duration / frame.time : kFalls * std::sqrt(2 * height);
+    difference_ = kDifference * duration_ * kRamp;
+    if (shake_ > 0)
     {
-        moved = std::move(row);
+        circular_ = settings.frequency ? 2 * std::numbers::pi * *settings.frequency * frame.time
+                                       : std::sqrt(kShareOfGravity / shake_);
+        difference_ = std::min(difference_, kDifference / circular_);
     }
 }
 
-const MovedPart& FrameOfRun::partAt(const Eigen::Vector3d& p) const
+Eigen::Isometry3d ObjectMotion::poseAt(double time) const
 {
-    const auto found = std::partition_point(
-        moved.begin(), moved.end() - 1, [&](const MovedPart& part) { return part.end < p.x(); });
-    return *found;
+    if (duration_ == 0)
+    {
+        return Eigen::Isometry3d::Identity();
+    }
+    const double share = time / duration_;
+    const double done = smoothStep(share);
+    const double swing = smoothStep(share / kRamp) * smoothStep((1 - share) / kRamp);
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translate(Eigen::Vector3d(shake_ * swing * std::sin(circular_ * time), 0, 0));
+    pose.rotate(Eigen::AngleAxisd(turn_ * done, Eigen::Vector3d::UnitY()));
+    pose.rotate(Eigen::AngleAxisd(-tilt_ * done, Eigen::Vector3d::UnitZ()));
+    return pose;
 }
 
-Eigen::Vector3d FrameOfRun::together(const Eigen::Vector3d& p) const
+// R^T dR/dt is the cross product with the angular velocity in the object's frame.
+Eigen::Vector3d ObjectMotion::spinAt(double time) const
 {
-    const auto nearest = std::min_element(
-        moved.begin(), moved.end(),
-        [&](const MovedPart& a, const MovedPart& b)
-        { return a.box.squaredExteriorDistance(p) < b.box.squaredExteriorDistance(p); });
-    return p + nearest->shift;
+    const Eigen::Matrix3d change =
+        (poseAt(time + difference_).linear() - poseAt(time - difference_).linear()) /
+        (2 * difference_);
+    const Eigen::Matrix3d cross = poseAt(time).linear().transpose() * change;
+    return {(cross(2, 1) - cross(1, 2)) / 2, (cross(0, 2) - cross(2, 0)) / 2,
+            (cross(1, 0) - cross(0, 1)) / 2};
+}
+
+Pull ObjectMotion::pullAt(double time) const
+{
+    Pull pull;
+    pull.uniform = {0, -gravity_, 0};
+    if (duration_ == 0)
+    {
+        return pull;
+    }
+    const Eigen::Isometry3d pose = poseAt(time);
+    const bool over = time >= duration_;
+    if (!over && shake_ > 0)
+    {
+        pull.uniform -= (poseAt(time + difference_).translation() - 2 * pose.translation() +
+                         poseAt(time - difference_).translation()) /
+                        (difference_ * difference_);
+    }
+    pull.uniform = pose.linear().transpose() * pull.uniform;
+    pull.turns = !over && (tilt_ != 0 || turn_ != 0);
+    if (pull.turns)
+    {
+        pull.spin = spinAt(time);
+        pull.spinUp = (spinAt(time + difference_) - spinAt(time - difference_)) / (2 * difference_);
+    }
+    return pull;
 }
 
 } // namespace frostfill

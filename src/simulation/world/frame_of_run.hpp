@@ -4,18 +4,13 @@
 #include <frostfill/mesh.hpp>
 #include <frostfill/scene.hpp>
 
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
 #include <vector>
 
 namespace frostfill
 {
-
-/// A part of an object that the run has moved nearer to the others.
-struct MovedPart
-{
-    Eigen::AlignedBox3d box; ///< [r] where it would be
-    Eigen::Vector3d shift;   ///< [r] from there to where it is
-    double end = 0;          ///< [r] the next part's x are larger
-};
 
 /// The simulation's own coordinates: the box's centre is the origin, y is up, lengths are counted
 /// in the largest sphere's radius and times in sqrt(radius / gravity). Every tolerance is then a
@@ -27,28 +22,17 @@ struct FrameOfRun
     double length = 1;                                ///< [mesh unit] of one radius
     double time = 1;                                  ///< [s] of one unit
     double gravity = 1;                               ///< downwards; 1, or 0 without gravity
-    /// In a row along x, ascending: parts that lie so far apart that a grid over all of them would
-    /// hold next to nothing. Empty: nothing is moved.
-    std::vector<MovedPart> moved;
 
     FrameOfRun() = default;
     FrameOfRun(const Scene& scene, const Eigen::AlignedBox3d& box, double radius);
-    /// With the parts of a mesh, that has this box, moved together if they lie far apart, unless
-    /// the object moves.
-    FrameOfRun(const Scene& scene, const TriangleMesh& mesh, const Eigen::AlignedBox3d& box,
-               double radius);
 
     [[nodiscard]] Eigen::Vector3d toRun(const Eigen::Vector3d& p) const
     {
         const Eigen::Vector3d q = (p - origin) / length;
-        const Eigen::Vector3d r(q[axis[0]], q[axis[1]], q[axis[2]]);
-        return moved.empty() ? r : together(r);
+        return {q[axis[0]], q[axis[1]], q[axis[2]]};
     }
     /// Whether toRun does nothing but to take away the origin and to divide by the length.
-    [[nodiscard]] bool onlyMovesAndScales() const
-    {
-        return moved.empty() && axis == std::array<int, 3>{0, 1, 2};
-    }
+    [[nodiscard]] bool onlyMovesAndScales() const { return axis == std::array<int, 3>{0, 1, 2}; }
     /// A vector in mesh coordinates.
     [[nodiscard]] Eigen::Vector3d toMeshOffset(const Eigen::Vector3d& p) const
     {
@@ -61,12 +45,7 @@ struct FrameOfRun
     }
     [[nodiscard]] Eigen::Vector3d toMesh(const Eigen::Vector3d& p) const
     {
-        return origin + toMeshOffset(apart(p));
-    }
-    /// Where a point would be if no part had been moved.
-    [[nodiscard]] Eigen::Vector3d apart(const Eigen::Vector3d& p) const
-    {
-        return moved.empty() ? p : Eigen::Vector3d(p - partAt(p).shift);
+        return origin + toMeshOffset(p);
     }
     [[nodiscard]] Eigen::Matrix3d toMeshRotation(const Eigen::Matrix3d& rotation) const
     {
@@ -81,11 +60,53 @@ struct FrameOfRun
         return q;
     }
     [[nodiscard]] TriangleMesh toRun(const TriangleMesh& mesh) const;
+};
+
+/// What pulls at a sphere, as seen from the object: gravity, turned with it, and what the object's
+/// own motion adds.
+struct Pull
+{
+    Eigen::Vector3d uniform = {0, -1, 0};             ///< gravity less the object's acceleration
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();   ///< angular velocity, about the origin
+    Eigen::Vector3d spinUp = Eigen::Vector3d::Zero(); ///< its change with time
+    bool turns = false;                               ///< the last two are not zero
+
+    /// Acceleration of a free sphere at p with velocity v, both in the object's frame.
+    [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& p, const Eigen::Vector3d& v) const
+    {
+        if (!turns)
+        {
+            return uniform;
+        }
+        return uniform - spinUp.cross(p) - 2 * spin.cross(v) - spin.cross(spin.cross(p));
+    }
+    /// Unit vector that a sphere at rest at p is pulled along; zero where it is all but weightless.
+    [[nodiscard]] Eigen::Vector3d direction(const Eigen::Vector3d& p) const;
+};
+
+/// How the object stands and moves in the room, in the units of the run. The simulation stays in
+/// the object's frame: there walls and spheres at rest do not move, and gravity changes instead.
+class ObjectMotion
+{
+public:
+    ObjectMotion(const MoveSettings& settings, const FrameOfRun& frame, double height);
+
+    /// How long it lasts [sqrt(r/g)]; 0 when the object never moves.
+    [[nodiscard]] double duration() const { return duration_; }
+    /// From the object's frame to the room's, `time` after the motion has begun.
+    [[nodiscard]] Eigen::Isometry3d poseAt(double time) const;
+    [[nodiscard]] Pull pullAt(double time) const;
 
 private:
-    [[nodiscard]] const MovedPart& partAt(const Eigen::Vector3d& p) const;
-    /// The other way round: a point of the nearest part, by where they would be.
-    [[nodiscard]] Eigen::Vector3d together(const Eigen::Vector3d& p) const;
+    [[nodiscard]] Eigen::Vector3d spinAt(double time) const;
+
+    double gravity_ = 1;
+    double duration_ = 0;
+    double tilt_ = 0;       ///< [radian] in the end
+    double turn_ = 0;       ///< [radian] in the end
+    double shake_ = 0;      ///< amplitude
+    double circular_ = 0;   ///< frequency of shaking, times 2 pi
+    double difference_ = 0; ///< step of finite differences
 };
 
 } // namespace frostfill

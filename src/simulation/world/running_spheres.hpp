@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,7 +46,7 @@ protected:
 
 /// A value for each running sphere, kept by the part that declares it. To declare it is all: it
 /// follows the rows from then on. Rows that are gone keep their value, and so its memory, for those
-/// to come. Large values stay where they are in memory while their rows change places.
+/// to come.
 template <class T>
 class RunningColumn final : private RowFollower
 {
@@ -70,39 +68,15 @@ public:
     RunningColumn(const RunningColumn&) = delete;
     RunningColumn& operator=(const RunningColumn&) = delete;
 
-    [[nodiscard]] T& operator[](std::uint32_t row) { return valueOf(values_[row]); }
-    [[nodiscard]] const T& operator[](std::uint32_t row) const { return valueOf(values_[row]); }
-    // Of values that are not large.
+    [[nodiscard]] T& operator[](std::uint32_t row) { return values_[row]; }
+    [[nodiscard]] const T& operator[](std::uint32_t row) const { return values_[row]; }
     [[nodiscard]] std::span<T> all() { return {values_.data(), rows_.size()}; }
     [[nodiscard]] std::span<const T> all() const { return {values_.data(), rows_.size()}; }
 
 private:
-    static constexpr bool kIsLarge = sizeof(T) > 64;
-    using Kept = std::conditional_t<kIsLarge, std::unique_ptr<T>, T>;
-
-    template <class K>
-    [[nodiscard]] static auto& valueOf(K& kept)
-    {
-        if constexpr (kIsLarge)
-        {
-            return *kept;
-        }
-        else
-        {
-            return kept;
-        }
-    }
     void fit(std::uint32_t rows) override
     {
-        std::size_t had = values_.size();
-        values_.resize(std::max<std::size_t>(had, rows));
-        if constexpr (kIsLarge)
-        {
-            for (; had < values_.size(); ++had)
-            {
-                values_[had] = std::make_unique<T>();
-            }
-        }
+        values_.resize(std::max<std::size_t>(values_.size(), rows));
     }
     void start(std::uint32_t row) override
     {
@@ -114,7 +88,7 @@ private:
     void swap(std::uint32_t a, std::uint32_t b) override { std::swap(values_[a], values_[b]); }
 
     RunningRows& rows_;
-    std::vector<Kept> values_;
+    std::vector<T> values_;
     Start start_;
 };
 

@@ -23,8 +23,9 @@ struct alignas(32) Ball
     [[nodiscard]] Eigen::Vector3d position() const { return {x, y, z}; }
 };
 
-/// Spheres that do not move, in columns by row, and by cell of a grid as linked lists of rows.
-/// Cells are at least as large as the largest distance asked for.
+/// Spheres, in columns by row, and by cell of a grid as linked lists of rows. Cells are at least as
+/// large as the largest distance asked for. One grid has the spheres at rest. Another has the
+/// running spheres, by their rows, at the places that they had when it was filled.
 ///
 /// Where sizes differ much there are grids with levels: the spheres of at most half the largest
 /// radius are in a grid of half the cell, and so on. A search asks each level for what it can hold.
@@ -55,7 +56,6 @@ public:
         balls_.push_back({p.x(), p.y(), p.z(), radius});
         rows_.push_back({id & kLargestId, false, kEnd});
         link(row);
-        levelOf(radius).extent.extend(p);
         return row;
     }
 
@@ -90,6 +90,29 @@ public:
         link(row);
     }
 
+    /// The sphere is elsewhere now.
+    void move(std::uint32_t row, const Eigen::Vector3d& p)
+    {
+        linkTo(row) = rows_[row].next;
+        balls_[row] = {p.x(), p.y(), p.z(), balls_[row].radius};
+        link(row);
+    }
+    /// Takes out all. Takes time with the spheres, not the cells.
+    void clear()
+    {
+        for (const Ball& ball : balls_)
+        {
+            headOf(ball) = kEnd;
+        }
+        balls_.clear();
+        rows_.clear();
+        coarse_.extent.setEmpty();
+        for (Level& level : finer_)
+        {
+            level.extent.setEmpty();
+        }
+    }
+
     // By row.
     [[nodiscard]] std::size_t size() const { return balls_.size(); }
     [[nodiscard]] const Ball& operator[](std::uint32_t row) const { return balls_[row]; }
@@ -119,20 +142,6 @@ public:
     {
         const Level& one = levelAt(level);
         one.cells.forEachIn(low, high, listOf(one, visit));
-    }
-    /// The same for whole layers of cells, from `first` to `last` along z, and those of all levels
-    /// within them.
-    template <class Visit>
-    void forEachInLayers(int first, int last, Visit&& visit) const
-    {
-        for (std::size_t level = 0; level < levels(); ++level)
-        {
-            const Level& one = levelAt(level);
-            const std::array<int, 3>& count = one.frame.count;
-            one.cells.forEachInLarge({0, 0, first << level},
-                                     {count[0] - 1, count[1] - 1, ((last + 1) << level) - 1},
-                                     listOf(one, visit));
-        }
     }
 
     /// Of the coarsest level.
@@ -221,8 +230,10 @@ private:
 
     void link(std::uint32_t row)
     {
+        const Eigen::Vector3d p = balls_[row].position();
         Level& level = levelOf(balls_[row].radius);
-        const auto [x, y, z] = level.frame.coordinates(balls_[row].position());
+        level.extent.extend(p);
+        const auto [x, y, z] = level.frame.coordinates(p);
         const std::size_t cell = level.cells.obtain(x, y, z);
         if (cell >= level.head.size())
         {
@@ -230,12 +241,17 @@ private:
         }
         rows_[row].next = std::exchange(level.head[cell], row);
     }
+    /// The head of the list that a sphere of the grid is in.
+    std::uint32_t& headOf(const Ball& ball)
+    {
+        Level& level = levelOf(ball.radius);
+        const auto [x, y, z] = level.frame.coordinates(ball.position());
+        return level.head[level.cells.find(x, y, z)];
+    }
     /// The link of its list that leads to the row.
     std::uint32_t& linkTo(std::uint32_t row)
     {
-        Level& level = levelOf(balls_[row].radius);
-        const auto [x, y, z] = level.frame.coordinates(balls_[row].position());
-        std::uint32_t* link = &level.head[level.cells.find(x, y, z)];
+        std::uint32_t* link = &headOf(balls_[row]);
         while (*link != row)
         {
             link = &rows_[*link].next;

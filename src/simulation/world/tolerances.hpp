@@ -24,15 +24,6 @@ inline constexpr double kCrowdedCell = 4;
 /// What the grids have beyond the object's box. [r] A centre in contact with the outside of a wall
 /// must have a cell.
 inline constexpr double kGridMargin = 2;
-/// From so many cells of a radius on, the parts of an object are moved together if they lie far
-/// apart. Larger: time and memory for cells without anything. Smaller: ordinary objects are
-/// searched for parts, for nothing.
-inline constexpr double kManyCells = 2e7;
-/// And if that saves this factor of cells. Larger and smaller as above.
-inline constexpr double kWorthMoving = 8;
-/// Parts are left so far apart. [r] Smaller than 5: a search for what touches a sphere finds the
-/// next part. Larger: cells without anything.
-inline constexpr double kGapOfParts = 8;
 /// Cells of a radius in the box from which on the lattice of release sites counts only what is in
 /// and near the object. Not to be changed: below it, results depend on it.
 inline constexpr double kLargeBox = 1e9;

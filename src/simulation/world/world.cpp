@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/world.hpp"
 
-#include "base/memory_at_hand.hpp"
+#include "base/resources.hpp"
 #include "mesh/repair/inspect_interior.hpp"
 #include "scene/packing_estimate.hpp"
 #include "scene/thick_parts.hpp"
 #include "scene/usual_duration.hpp"
-#include "simulation/world/memory_need.hpp"
 #include "simulation/world/tolerances.hpp"
 
 #include <frostfill/error.hpp>
@@ -20,6 +19,67 @@
 
 namespace frostfill
 {
+namespace
+{
+
+/// For each sphere: position, velocity, states [bytes]. In a cube, runs of a million take 131 with
+/// their grids, of a hundred million 73.
+constexpr double kMemoryPerSphere = 52;
+/// For each cell of a radius: the grids and release sites [bytes].
+constexpr double kMemoryPerCell = 1.1;
+/// And the map of what is within reach, while it may have cubes that are small enough. In a cube of
+/// 55 million cells, runs of a few spheres take 6.1 with all.
+constexpr double kMapPerCell = 3.9;
+/// And near walls: lists of triangles, bricks that are partly in use. In a frame of bars, runs of a
+/// few spheres take 50 with 11 million of such cells.
+constexpr double kMemoryPerWallCell = 20;
+/// By which a radius grows until its spheres have room. Larger: larger radii are named than needed.
+constexpr double kRadiusGrowth = 1.001;
+
+} // namespace
+
+double ObjectSize::wallCells() const
+{
+    return 2 * kTriangleReach * area;
+}
+
+double ObjectSize::cells() const
+{
+    return std::min((box.array() + 2 * kGridMargin).prod(), volume + wallCells());
+}
+
+double memoryNeed(const ObjectSize& object, double spheres)
+{
+    const double cells = object.cells();
+    const double walls = kMemoryPerWallCell * std::min(cells, object.wallCells());
+    const double map = std::min(kMapPerCell * cells, static_cast<double>(kMostMapBytes));
+    return kMemoryPerSphere * spheres + kMemoryPerCell * cells + map + walls;
+}
+
+void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
+                   const MemoryAtHand& memory)
+{
+    // What is too large for any memory is refused as that.
+    const bool isTooLarge = ObjectSize(object, radius).cells() > kMaxCells;
+    if ((isTooLarge ? kMemoryPerSphere * spheres
+                    : memoryNeed(ObjectSize(object, radius), spheres)) <= memory.bytes)
+    {
+        return;
+    }
+    // A full object of the smallest spheres that there is memory for.
+    double room = radius;
+    while (room < object.box.sizes().maxCoeff() &&
+           memoryNeed(ObjectSize(object, room), ObjectSize(object, room).volume) > memory.bytes)
+    {
+        room *= kRadiusGrowth;
+    }
+    throw Error(
+        ErrorCode::outOfMemory,
+        fmt::format("spheres of radius {:.3g} in {} take more than the {:.3g} GB of memory {}; "
+                    "take a --radius of {:.2g} or more",
+                    radius, scene.object.mesh, memory.bytes / 1e9, memory.bound, room));
+}
+
 namespace
 {
 
@@ -73,9 +133,7 @@ GridFrame checkedGrid(const Surface& surface, const MeshReport& report, const Fr
                       const Scene& scene)
 {
     const double r = frame.length;
-    ObjectSize size(report, r);
-    size.box = surface.box().sizes(); // its parts may have been moved together
-    const double cells = size.cells();
+    const double cells = ObjectSize(report, r).cells();
     if (!(cells <= kMaxCells && surface.box().sizes().maxCoeff() <= kMaxLength))
     {
         throw Error(
@@ -123,7 +181,7 @@ ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const Mes
       report(inspectInterior(mesh, known != nullptr ? *known : inspectMesh(mesh, index.edges),
                              walls, *index.threads)),
       radii(radiiOf(scene, report, mesh, index.tree, bvh)),
-      frame(scene, mesh, report.box, radii.largest()),
+      frame(scene, report.box, radii.largest()),
       surface(surfaceInRun(mesh, frame, walls, std::move(index), std::move(bvh))),
       triangles(surface, checkedGrid(surface, report, frame, scene), kTriangleReach),
       inside(surface, triangles)
@@ -239,6 +297,59 @@ std::size_t expectedCount(const World& world)
         return world.targetCount;
     }
     return countThatFits(world);
+}
+
+namespace
+{
+
+/// Places of the surface that are looked at. Larger: time. Smaller: thin parts are missed.
+constexpr std::size_t kSamples = 1000;
+/// Of what did fit, what is counted on with another radius. [1] Larger: it may fall short again.
+constexpr double kShareOfFitted = 0.95;
+
+/// In the run's units.
+ThickParts thickParts(const World& world)
+{
+    MeshReport report = world.report;
+    report.volume /= std::pow(world.frame.length, 3);
+    return {report, NearestPoint(world.surface.mesh()), kSamples};
+}
+
+double radiusThatFits(const World& world, const ThickParts& parts, std::size_t count)
+{
+    const RelativeRadii radii{world.radii.meanPower(1), world.radii.meanPower(3)};
+    double share = kShareOfEstimate;
+    const double expected = parts.count(1, radii);
+    if (world.clock.full && expected > 0)
+    {
+        const auto fitted = static_cast<double>(std::max<std::size_t>(1, world.spheres.size()));
+        share = std::min(share, kShareOfFitted * fitted / expected);
+    }
+    return parts.radius(static_cast<double>(count) / share, radii) * world.frame.length;
+}
+
+} // namespace
+
+double radiusThatFits(const World& world, std::size_t count)
+{
+    return radiusThatFits(world, thickParts(world), count);
+}
+
+void refuseTooLarge(const World& world)
+{
+    const ThickParts parts = thickParts(world);
+    const bool isCurve = world.radii.curve().has_value(); // whose largest have to fit
+    std::string help = isCurve ? "choose smaller --sizes" : "choose a smaller --radius";
+    if (world.targetCount > 0 && !isCurve)
+    {
+        help = fmt::format("{} of radius {:.3g} should fit", world.targetCount,
+                           radiusThatFits(world, parts, world.targetCount));
+    }
+    throw Error(ErrorCode::badData,
+                fmt::format("no sphere of radius {:g} fits into {}: where it is thickest there is "
+                            "room for a radius of {:.3g}; {}",
+                            world.frame.length * (isCurve ? 1 : world.radii.smallest()),
+                            world.scene.object.mesh, world.frame.length * parts.largest(), help));
 }
 
 } // namespace frostfill

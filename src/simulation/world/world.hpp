@@ -3,20 +3,21 @@
 // counted. Engines change it; all other code only reads it.
 #pragma once
 
+#include "base/resources.hpp"
 #include "mesh/interior/inside_test.hpp"
 #include "mesh/interior/triangle_grid.hpp"
 #include "scene/radius_distribution.hpp"
 #include "simulation/world/frame_of_run.hpp"
-#include "simulation/world/object_motion.hpp"
-#include "simulation/world/run_clock.hpp"
 #include "simulation/world/run_counts.hpp"
 #include "simulation/world/spheres.hpp"
-#include "simulation/world/stop_request.hpp"
 
+#include <frostfill/mesh.hpp>
+#include <frostfill/scene.hpp>
 #include <frostfill/simulation.hpp>
 
 #include <Eigen/Geometry>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <span>
@@ -131,5 +132,42 @@ public:
     /// See Simulation::step.
     virtual bool step() = 0;
 };
+
+/// See Simulation::radiusThatFits. [mesh unit]
+[[nodiscard]] double radiusThatFits(const World& world, std::size_t count);
+
+/// Of an object, in radii of its spheres.
+struct ObjectSize
+{
+    explicit ObjectSize(const TriangleMesh& inRadii)
+        : box(boundingBox(inRadii).sizes()), volume(std::abs(signedVolume(inRadii))),
+          area(surfaceArea(inRadii))
+    {
+    }
+    ObjectSize(const MeshReport& object, double radius)
+        : box(object.box.sizes() / radius),
+          volume(std::abs(object.volume) / (radius * radius * radius)),
+          area(object.area / (radius * radius))
+    {
+    }
+    /// Cells of a radius that its grids have: inside and within reach of the walls, at most all of
+    /// the box.
+    [[nodiscard]] double cells() const;
+    /// Those within reach of the walls.
+    [[nodiscard]] double wallCells() const;
+
+    Eigen::Vector3d box;
+    double volume;
+    double area;
+};
+
+/// A lower bound of what so many spheres and the grids of their object take [bytes].
+[[nodiscard]] double memoryNeed(const ObjectSize& object, double spheres);
+
+/// Throws Error outOfMemory, before anything is set aside, when a run surely takes more than
+/// the memory at hand, and names a radius that does not. `radius` is the largest of the run,
+/// `spheres` how many it aims at.
+void requireMemory(const Scene& scene, const MeshReport& object, double radius, double spheres,
+                   const MemoryAtHand& memory);
 
 } // namespace frostfill

@@ -3,7 +3,7 @@
 
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
-#include "simulation/world/state_hash.hpp"
+#include "simulation/world/spheres.hpp"
 
 #include <frostfill/error.hpp>
 

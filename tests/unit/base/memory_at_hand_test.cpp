@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/memory_at_hand.hpp"
-
-#include "base/sanitized.hpp"
+#include "base/resources.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/ordered_worker.hpp"
+#include "base/own_threads.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/cores.hpp"
+#include "base/resources.hpp"
 #include "support/expect_error.hpp"
 
 #include <frostfill/shard.hpp>

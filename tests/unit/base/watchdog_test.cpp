@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/watchdog.hpp"
+#include "base/own_threads.hpp"
 
 #include <gtest/gtest.h>
 

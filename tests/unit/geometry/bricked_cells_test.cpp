@@ -82,7 +82,7 @@ void expectCellsInOrder(std::size_t oneBrick, std::size_t smallBox)
         const std::size_t number = cells.obtain(p[0], p[1], p[2]);
         ASSERT_EQ(cells.find(p[0], p[1], p[2]), number);
         ASSERT_LT(number, cells.size());
-        ASSERT_TRUE(oneBrick > 0 || cells.cell(number) == p);
+        ASSERT_EQ(cells.cell(number), p);
         bricks.insert(brickOf(p));
     }
     for (int k = 0; k < 300; ++k)
@@ -112,9 +112,6 @@ void expectCellsInOrder(std::size_t oneBrick, std::size_t smallBox)
         }
         std::vector<std::size_t> visited;
         cells.forEachIn(low, high, [&](std::size_t cell) { visited.push_back(cell); });
-        ASSERT_EQ(visited, expected);
-        visited.clear();
-        cells.forEachInLarge(low, high, [&](std::size_t cell) { visited.push_back(cell); });
         ASSERT_EQ(visited, expected);
         ASSERT_EQ(std::set<std::size_t>(expected.begin(), expected.end()).size(), expected.size());
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/sandbox.hpp"
 
-#include "base/sanitized.hpp"
+#include "base/resources.hpp"
 #include "support/expect_error.hpp"
 #include "support/temporary_folder.hpp"
 

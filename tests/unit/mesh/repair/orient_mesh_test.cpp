@@ -2,7 +2,7 @@
 // Which way triangles and pieces are wound.
 #include "mesh/repair/orient_mesh.hpp"
 
-#include "base/processor_time.hpp"
+#include "base/timers.hpp"
 #include "mesh/interior/winding_columns.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/columns/contacts_column.hpp"
-
 #include "base/random.hpp"
-#include "simulation/quality/resting_contacts.hpp"
+#include "simulation/columns/world_columns.hpp"
+#include "simulation/quality/contact_network.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
 #include "unit/simulation/columns/contacts_oracle.hpp"
@@ -60,7 +59,7 @@ void doSomething(World& world, std::uint64_t k)
 TEST(ContactsColumn, FollowsWhateverHappens)
 {
     const auto world = smallWorld(room());
-    ContactsColumn column(*world);
+    ColumnAtRest column(*world, contactsAtRest);
     std::vector<double> before;
     std::size_t seen = 0;
     std::size_t most = 0;
@@ -93,7 +92,7 @@ TEST(ContactsColumn, FollowsWhateverHappens)
 TEST(ContactsColumn, ForgetsWhatTheNumberOfARunningSphereHadAtRest)
 {
     const auto world = smallWorld(room());
-    ContactsColumn column(*world);
+    ColumnAtRest column(*world, contactsAtRest);
     const std::uint32_t runs = world->spheres.add({5, 5, 5}, 1, 0);
     addResting(*world, {0, 0, 0});
     const std::uint32_t last = addResting(*world, {2, 0, 0});
@@ -110,7 +109,7 @@ TEST(ContactsColumn, ForgetsWhatTheNumberOfARunningSphereHadAtRest)
 TEST(ContactsColumn, LooksAgainBesideASphereThatWokeAndWasWithdrawn)
 {
     const auto world = smallWorld(room());
-    ContactsColumn column(*world);
+    ColumnAtRest column(*world, contactsAtRest);
     const std::uint32_t stays = addResting(*world, {0, 0, 0});
     const std::uint32_t goes = addResting(*world, {2, 0, 0});
     column.update();
@@ -125,7 +124,7 @@ TEST(ContactsColumn, LooksAgainBesideASphereThatWokeAndWasWithdrawn)
 TEST(ContactsColumn, CountsWithoutBeingBroughtUpToDate)
 {
     const auto world = smallWorld(room());
-    const ContactsColumn column(*world);
+    const ColumnAtRest column(*world, contactsAtRest);
     const auto low = addResting(*world, {0, -9, 0});
     addResting(*world, {0, -7, 0});
     EXPECT_EQ(column.value(low), 2);

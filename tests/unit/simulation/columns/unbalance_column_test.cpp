@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/columns/unbalance_column.hpp"
-
 #include "oracle/rest.hpp"
+#include "simulation/columns/world_columns.hpp"
+#include "simulation/quality/equilibrium.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
 #include "unit/simulation/engine/small_torus.hpp"
@@ -27,7 +27,7 @@ TEST(UnbalanceColumn, KnowsWhatIsMissingOnEachSphereAtRest)
     addResting(*world, {1, -9, 0});
     const auto top = addResting(*world, {0, -9 + std::sqrt(3.0), 0});
     const auto hangs = addResting(*world, {-6, 0, 0});
-    const UnbalanceColumn column(*world);
+    const ColumnAtRest column(*world, unbalanceAtRest);
     EXPECT_EQ(column.value(runs), 0);
     EXPECT_NEAR(column.value(stands), 0, 1e-3);
     EXPECT_NEAR(column.value(top), oracle::sinkingBetweenTwo(), 0.01);
@@ -38,7 +38,7 @@ TEST(UnbalanceColumn, KnowsWhatIsMissingOnEachSphereAtRest)
 TEST(UnbalanceColumn, TellsOfAllThatChangesWhoeverAsksInBetween)
 {
     const auto world = smallWorld(room());
-    UnbalanceColumn column(*world);
+    ColumnAtRest column(*world, unbalanceAtRest);
     const auto low = addResting(*world, {0, -9, 0});
     const auto high = addResting(*world, {0, -7, 0});
     column.update();
@@ -59,7 +59,7 @@ TEST(UnbalanceColumn, FollowsThePullOfAMovingObject)
 {
     const auto world = smallWorld(room());
     const auto low = addResting(*world, {0, -9, 0});
-    UnbalanceColumn column(*world);
+    ColumnAtRest column(*world, unbalanceAtRest);
     column.update();
     EXPECT_EQ(column.value(low), 0);
     world->pull.uniform = Eigen::Vector3d(1, -1, 0).normalized(); // it leans
@@ -77,7 +77,7 @@ TEST(UnbalanceColumn, JudgesUnderTheFrictionOfTheScene)
     world.spheres.addResting({-1, -9, 0}, 1, 0);
     world.spheres.addResting({1, -9, 0}, 1, 0);
     const auto top = world.spheres.addResting({0, -9 + std::sqrt(3.0), 0}, 1, 0);
-    EXPECT_LT(UnbalanceColumn(world).value(top), 0.1);
+    EXPECT_LT(ColumnAtRest(world, unbalanceAtRest).value(top), 0.1);
 }
 
 TEST(UnbalanceColumn, IsCarriedOnlyWhereItIsAskedFor)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/contact/contact_cone.hpp"
-
 #include "base/random.hpp"
+#include "simulation/contact/contact.hpp"
 
 #include <gtest/gtest.h>
 

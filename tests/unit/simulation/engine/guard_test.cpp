@@ -112,7 +112,7 @@ TEST_F(GuardTest, StopsTheRunForWhatIsNoNumber)
 
 TEST_F(GuardTest, AFallWithNothingBelowEndsWhereItBegan)
 {
-    const FallIndex falls(world->spheres.resting().frame(), world->triangles);
+    const FallIndex falls(world->spheres.resting(), world->triangles);
     const DropAndRoll dropAndRoll(*world, falls);
     Eigen::Vector3d inside = {0, 0, 0};
     EXPECT_TRUE(dropAndRoll.drop(inside, 1));

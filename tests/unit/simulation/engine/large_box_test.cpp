@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/shapes.hpp"
+#include "unit/mesh/mesh_samples.hpp"
 #include "unit/simulation/engine/small_torus.hpp"
 #include "unit/simulation/reach/reach_scene.hpp"
 
@@ -89,6 +90,37 @@ TEST(LargeBox, DiscardsWhatIsOutOfReachInIt)
     const ReachInspection reach = simulation.inspectReach(std::size_t{8} << 20);
     ASSERT_TRUE(reach.known);
     EXPECT_NEAR(reach.unreachable, 500, 50);
+}
+
+// Two boxes of 6 x 6 x 6, side by side or one above the other: the box around both has room for
+// 2.4e10 cubes of the radius.
+TEST(LargeBox, IsFilledInAllPartsThatLieFarApart)
+{
+    for (const Eigen::Vector3d& apart : {Eigen::Vector3d(40000, 0, 20000), {9000, 60000, 7000}})
+    {
+        TriangleMesh mesh = shapes::box({0, 0, 0}, {6, 6, 6});
+        test::append(mesh, shapes::box(apart, apart.array() + 6));
+        for (const Motion motion : {Motion::skip, Motion::descend})
+        {
+            Scene scene = presetScene(Preset::fast, "boxes");
+            scene.spheres.radius = 1;
+            scene.spheres.count.reset(); // until full
+            scene.motion.mode = motion;
+            const Simulation simulation = endOf(scene, mesh, DiscardRule::exact);
+            EXPECT_TRUE(simulation.full());
+            std::size_t inFirst = 0;
+            for (std::size_t id = 0; id < simulation.sphereCount(); ++id)
+            {
+                inFirst += simulation.sphere(id).centre.x() < 6 ? 1 : 0;
+            }
+            EXPECT_GE(inFirst, 18u);
+            EXPECT_GE(simulation.sphereCount() - inFirst, 18u);
+            const QualityReport error = simulation.quality();
+            EXPECT_EQ(error.centresOutside, 0u);
+            EXPECT_EQ(error.unsupported, 0u);
+            EXPECT_LT(error.maxOverlap, 1e-7);
+        }
+    }
 }
 
 } // namespace

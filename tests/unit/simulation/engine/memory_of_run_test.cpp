@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/sanitized.hpp"
+#include "base/resources.hpp"
 #include "support/heap_in_use.hpp"
 
 #include <frostfill/mesh.hpp>

@@ -20,7 +20,7 @@ bool yieldsAfter(double way, double rollingFriction)
     const auto world = smallWorld(shapes::box({-20, -20, -20}, {20, 20, 20}, 4));
     Threads threads(1);
     RestObservers observers(*world, world->height, threads);
-    RunnerGrid grid(world->spheres.resting().frame());
+    SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {.restitution = {}, .rolling = {0.5, rollingFriction}});
     RunningSpheres& running = world->spheres.running();
     PositionSolver solver(running, flight, threads, {.restitution = {}, .dt = 0.1});
@@ -48,7 +48,7 @@ TEST(Freezer, TakesTheLowestFirstWhereSomeHeightsAreNoNumbers)
     const auto world = smallWorld(shapes::box({-20, -20, -20}, {20, 20, 20}, 4));
     Threads threads(1);
     RestObservers observers(*world, world->height, threads);
-    RunnerGrid grid(world->spheres.resting().frame());
+    SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {.restitution = {}});
     RunningSpheres& running = world->spheres.running();
     PositionSolver solver(running, flight, threads, {.restitution = {}, .dt = 0.1});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/freezing/overlap_resolver.hpp"
 
+#include "simulation/contact/depenetration.hpp"
 #include "simulation/freezing/tolerances.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
@@ -37,7 +38,7 @@ TEST(OverlapResolver, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
     const auto world = smallWorld(twoChambers());
     Threads threads(1);
     RestObservers observers(*world, world->height, threads);
-    RunnerGrid grid(world->spheres.resting().frame());
+    SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {});
     RunningSpheres& running = world->spheres.running();
     const std::array<Vector3d, 3> places = {Vector3d(-5, 0.1, 0), {-5, -0.1, 0}, {5, 0, 0}};
@@ -45,7 +46,7 @@ TEST(OverlapResolver, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
     {
         world->spheres.add(place, 1, 0);
     }
-    grid.rebuild(running);
+    gather(grid, running);
 
     OverlapResolver room(*world, grid, flight, observers);
     ASSERT_FALSE(room.moveAside(1, {places[1], 1}, kFarRoom));
@@ -69,7 +70,7 @@ TEST(OverlapResolver, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
     const auto world = smallWorld(twoChambers());
     Threads threads(1);
     RestObservers observers(*world, world->height, threads);
-    RunnerGrid grid(world->spheres.resting().frame());
+    SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {});
     RunningSpheres& running = world->spheres.running();
     const std::array<Vector3d, 2> places = {Vector3d(-5, 0.1, 0), {-5, -0.1, 0}};
@@ -77,7 +78,7 @@ TEST(OverlapResolver, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
     {
         world->spheres.add(place, 1, 0);
     }
-    grid.rebuild(running);
+    gather(grid, running);
 
     OverlapResolver room(*world, grid, flight, observers);
     ASSERT_FALSE(room.moveAside(1, {places[1], 1}, kFarRoom));

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/paper/paper_discards.hpp"
-
+#include "simulation/paper/paper_engine.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
 

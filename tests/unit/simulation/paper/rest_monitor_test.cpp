@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/paper/rest_monitor.hpp"
-
+#include "simulation/paper/paper_engine.hpp"
 #include "simulation/world/spheres.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/quality/force_cone.hpp"
-
 #include "base/random.hpp"
+#include "simulation/quality/joint_balance.hpp"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 
 #include "oracle/rest.hpp"
 #include "simulation/quality/contact_network.hpp"
-#include "simulation/quality/least_friction.hpp"
+#include "simulation/quality/equilibrium.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/quality/resting_contacts.hpp"
-
 #include "base/random.hpp"
+#include "simulation/quality/contact_network.hpp"
 #include "support/small_world.hpp"
 #include "unit/simulation/columns/contacts_oracle.hpp"
 #include "unit/simulation/quality/packing.hpp"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/quality/support.hpp"
-
 #include "base/random.hpp"
-#include "simulation/contact/contact_cone.hpp"
+#include "simulation/contact/contact.hpp"
+#include "simulation/quality/equilibrium.hpp"
 
 #include <gtest/gtest.h>
 

@@ -32,7 +32,8 @@ TriangleMesh hollowBox()
 
 EmptyObject openIn(const Object& object, double probe = 1, std::size_t bytes = kMuch)
 {
-    return openCubesOf(object.surface, object.inside, probe, bytes);
+    Threads two(2);
+    return openCubesOf(object.surface, object.inside, probe, bytes, two);
 }
 
 /// Every cube of the grid against all triangles.

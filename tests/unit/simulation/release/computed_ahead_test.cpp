@@ -27,7 +27,7 @@ class WhatAPathHasSeen : public ::testing::Test
 protected:
     explicit WhatAPathHasSeen() : world(smallWorld(shapes::box({-6, -10, -6}, {6, 10, 6}, 3)))
     {
-        falls.emplace(world->spheres.resting().frame(), world->triangles);
+        falls.emplace(world->spheres.resting(), world->triangles);
         for (int k = 0; k < 40; ++k)
         {
             add(pathFrom(chance()).first);

@@ -36,7 +36,7 @@ protected:
 TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
 {
     World world(scene, mesh);
-    FallIndex falls(world.spheres.resting().frame(), world.triangles);
+    FallIndex falls(world.spheres.resting(), world.triangles);
     const DropAndRoll descent(world, falls);
     Threads one(1);
     Threads two(2);
@@ -99,7 +99,7 @@ TEST_F(ReleaseSitesTest, GivesUpForNowWhenManyPlacesInARowDoNotSuit)
 TEST_F(ReleaseSitesTest, EndsASearchSoonAfterItIsToldToAndForgetsNothing)
 {
     World world(scene, mesh);
-    FallIndex falls(world.spheres.resting().frame(), world.triangles);
+    FallIndex falls(world.spheres.resting(), world.triangles);
     Threads threads(1);
     for (const double band : {-1.0, 4.0}) // in the order of the lattice, and below ceilings
     {
@@ -134,7 +134,7 @@ TEST_F(ReleaseSitesTest, EndsASearchSoonAfterItIsToldToAndForgetsNothing)
 TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
 {
     World world(scene, mesh);
-    FallIndex falls(world.spheres.resting().frame(), world.triangles);
+    FallIndex falls(world.spheres.resting(), world.triangles);
     Threads threads(2);
     ReleaseSites sites(world, 1, 4, threads);
     const ReleaseQuery any = {.suits = [](const Eigen::Vector3d&, double) { return true; }};

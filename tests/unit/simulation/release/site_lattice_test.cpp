@@ -37,7 +37,7 @@ TEST_P(SiteLatticeOf, OpensTheSitesThatAreFarEnoughInside)
         const double least = sites.depth();
         EXPECT_LE(least, radius - sites.halfDiagonal()) << "no place is missed";
         std::size_t open = 0;
-        for (std::size_t site = 0; site < sites.end(); ++site)
+        for (std::size_t site = SiteLattice::begin(); site < sites.end(); ++site)
         {
             // A lattice is quick because most sites are decided by those beside them. Each alone:
             const Eigen::Vector3d centre = sites.centre(site);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/size_ledger.hpp"
-#include "simulation/motion/fall_index.hpp"
 #include "simulation/motion/vertical_drop.hpp"
-#include "simulation/release/size_draws.hpp"
+#include "simulation/release/release_rule.hpp"
 #include "simulation/world/world.hpp"
 #include "support/expect_error.hpp"
 #include "support/shapes.hpp"
@@ -262,13 +261,6 @@ TEST_F(SizesInLevels, SearchesFindAllThatIsNearOnce)
             EXPECT_TRUE(seen[row] == 1 || distance > radius + resting[row].radius + 0.1);
         }
     }
-    std::vector<int> seen(resting.size());
-    for (int layer = 0; layer < resting.frame().count[2]; layer += 2)
-    {
-        resting.forEachInLayers(layer, std::min(layer + 1, resting.frame().count[2] - 1),
-                                [&](std::uint32_t row) { ++seen[row]; });
-    }
-    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
 }
 
 TEST_F(SizesInLevels, FallsEndAtTheFirstSphereOfAnySize)

@@ -7,7 +7,7 @@
 #include "oracle/motion.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/quality/quality.hpp"
-#include "simulation/world/state_hash.hpp"
+#include "simulation/world/spheres.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/world/change_log.hpp"
+#include "simulation/world/spheres.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/world/memory_need.hpp"
-
-#include "base/memory_at_hand.hpp"
+#include "base/resources.hpp"
+#include "simulation/world/world.hpp"
 #include "support/expect_error.hpp"
 #include "support/shapes.hpp"
 

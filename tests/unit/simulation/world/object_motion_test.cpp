@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/world/object_motion.hpp"
-
+#include "simulation/world/frame_of_run.hpp"
 #include "support/expect_error.hpp"
 #include "support/shapes.hpp"
 
@@ -23,6 +22,20 @@ ObjectMotion motionOf(const MoveSettings& move)
 {
     FrameOfRun frame; // a unit of length is one radius, a unit of time sqrt(r/g)
     return ObjectMotion(move, frame, 10);
+}
+
+TEST(FrameOfRun, TakesPlacesThereAndBack)
+{
+    for (const Axis up : {Axis::x, Axis::y, Axis::z})
+    {
+        Scene scene;
+        scene.object.up = up;
+        const FrameOfRun frame(scene, {Vector3d(1, 2, 3), Vector3d(5, 4, 9)}, 0.5);
+        const Vector3d top = Vector3d(3, 3, 6) + Vector3d::Unit(static_cast<int>(up));
+        EXPECT_EQ(frame.toRun(top), Vector3d(0, 2, 0)) << "y is up, in radii from the middle";
+        EXPECT_EQ(frame.toMesh({0, 2, 0}), top);
+        EXPECT_EQ(frame.toMesh(frame.toRun({1, 4, 7})), Vector3d(1, 4, 7));
+    }
 }
 
 TEST(ObjectMotion, PullsStraightDownWhenNothingMoves)

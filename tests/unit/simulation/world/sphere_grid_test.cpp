@@ -2,7 +2,7 @@
 #include "simulation/world/sphere_grid.hpp"
 
 #include "base/random.hpp"
-#include "simulation/contact/runner_grid.hpp"
+#include "simulation/contact/depenetration.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,9 +46,9 @@ TEST(SphereGrid, FindsAllInABallAndFewOthers)
     EXPECT_LT(met, 5 * within); // the cells of a cube would have 6 times as many
 }
 
-TEST(RunnerGrid, IsClearWhereNoRunnerIsInTheWay)
+TEST(SphereGrid, IsClearWhereNoSphereIsInTheWay)
 {
-    RunnerGrid grid({{-8, -8, -8}, 2, {8, 8, 8}});
+    SphereGrid grid({{-8, -8, -8}, 2, {8, 8, 8}});
     std::vector<Eigen::Vector3d> centres;
     std::vector<double> radii;
     for (std::uint64_t k = 0; k < 300; ++k) // some share a cell
@@ -56,7 +56,11 @@ TEST(RunnerGrid, IsClearWhereNoRunnerIsInTheWay)
         const auto along = [&](std::uint64_t axis) { return 16 * uniformRandom(6, k, axis) - 8; };
         centres.emplace_back(along(0), along(1), along(2));
         radii.push_back(k % 3 == 0 ? 0.4 : 1);
-        grid.add(centres.back(), radii.back());
+        grid.insert(static_cast<std::uint32_t>(k), {0, 0, 0}, radii.back());
+    }
+    for (std::uint32_t row = 0; row < centres.size(); ++row)
+    {
+        grid.move(row, centres[row]);
     }
     std::size_t clear = 0;
     constexpr std::uint64_t kPlaces = 2000;
@@ -71,11 +75,13 @@ TEST(RunnerGrid, IsClearWhereNoRunnerIsInTheWay)
             const double contact = radii[row] + radius + kClearance;
             isClear = isClear && (centres[row] - place).norm() >= contact;
         }
-        ASSERT_EQ(grid.isClear(place, radius), isClear) << k;
+        ASSERT_EQ(isClearOf(grid, place, radius), isClear) << k;
         clear += isClear ? 1 : 0;
     }
     EXPECT_GT(clear, kPlaces / 10);
     EXPECT_LT(clear, kPlaces - kPlaces / 10);
+    grid.clear();
+    EXPECT_TRUE(isClearOf(grid, centres.front(), 1)) << "nothing is left in any cell";
 }
 
 } // namespace

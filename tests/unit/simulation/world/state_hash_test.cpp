@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/world/state_hash.hpp"
+#include "simulation/world/spheres.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,42 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/paper/polygon_search.hpp"
+#include "simulation/paper/searches.hpp"
+
+#include "simulation/paper/tolerances.hpp"
 
 #include <algorithm>
 #include <array>
 #include <span>
+#include <vector>
 
 namespace frostfill
 {
+
+std::span<const IdRange> SpheresByGrid::near(const Spheres& spheres, std::uint32_t i,
+                                             IdRange frozen)
+{
+    ids_.clear();
+    const RunningSpheres& running = spheres.running();
+    resting_.forEachNear(running.position[i], running.radius[i] + kGridReach,
+                         [&](std::uint32_t id)
+                         {
+                             if (id >= frozen.begin)
+                             {
+                                 ids_.push_back(id);
+                             }
+                         });
+    std::sort(ids_.begin(), ids_.end());
+    ranges_.clear();
+    for (const std::size_t id : ids_)
+    {
+        if (ranges_.empty() || ranges_.back().end != id)
+        {
+            ranges_.push_back({id, id});
+        }
+        ++ranges_.back().end;
+    }
+    return ranges_;
+}
+
 namespace
 {
 

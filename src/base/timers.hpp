@@ -1,12 +1,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/measure.hpp>
+
 #include <sys/resource.h>
 
+#include <chrono>
 #include <ctime>
 
 namespace frostfill
 {
+
+/// Adds the time until its end to a stage.
+class StageTimer
+{
+public:
+    StageTimer(StageTimes& times, Stage stage)
+        : slot_(times[stage]), start_(std::chrono::steady_clock::now())
+    {
+    }
+    ~StageTimer() { slot_ += seconds(); }
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+    [[nodiscard]] double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    double& slot_;
+    std::chrono::steady_clock::time_point start_;
+};
 
 /// Processor time of all the program's threads, which does not depend on what else the machine
 /// does.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "simulation/contact/contact_cone.hpp"
+#include "simulation/contact/contact.hpp"
 
 #include "simulation/contact/tolerances.hpp"
 

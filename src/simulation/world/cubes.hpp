@@ -33,9 +33,9 @@ inline bool has(const CubeSet& set, CubeWord cube)
 }
 
 /// Numbers the cubes of a grid, of a large one those that may hold a point inside of a surface or
-/// within its reach: 64 cubes along x make a word, and 4 x 4 words a brick. All other cubes share
-/// the words of brick 0, which no set has. Memory therefore follows the inside, not the box around
-/// it.
+/// within its reach: 64 cubes along x make a word, and in a large grid 4 x 4 words a brick. All
+/// other cubes share the first words, which no set has. Memory therefore follows the inside, not
+/// the box around it.
 class Cubes
 {
 public:
@@ -43,9 +43,9 @@ public:
     static constexpr std::size_t kNowhere = BrickedCells<1>::kInBrick;
 
     Cubes() : words_({1, 1, 1}, 0) {}
-    /// Nothing when there are more words than `most`.
-    [[nodiscard]] static std::optional<Cubes> inReach(const GridFrame& frame,
-                                                      const InsideTest& inside, std::size_t most);
+    /// Of a grid of at most `whole` words all cubes. Nothing when there are more words than `most`.
+    [[nodiscard]] static std::optional<Cubes>
+    inReach(const GridFrame& frame, const InsideTest& inside, double most, std::size_t whole);
 
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
     [[nodiscard]] std::size_t words() const { return kNowhere + words_.size(); }
@@ -70,6 +70,8 @@ public:
         const GridPlace place = words_.cell(word - kNowhere);
         return {place[0] * 64, place[1], place[2]};
     }
+    /// Returns all cubes.
+    [[nodiscard]] CubeSet all() const;
     /// The cubes of a word that lie in the grid.
     [[nodiscard]] std::uint64_t inGrid(std::size_t word) const;
     /// The cubes of a word that have a neighbour without a word.
@@ -113,34 +115,6 @@ public:
         }
         std::uint64_t found = 0;
         forEachWordOf(run, [&](int x, std::uint64_t bits) { found |= set[word(x, y, z)] & bits; });
-        return found != 0;
-    }
-    /// False only when no cube of a set is in a box: looks at whole bricks, whose words follow each
-    /// other.
-    [[nodiscard]] bool mayHaveAny(const CubeSet& set, const Eigen::AlignedBox3d& box) const
-    {
-        constexpr int kSide = BrickedCells<1>::kSide;
-        const GridPlace low = frame_.coordinates(box.min());
-        const GridPlace high = frame_.coordinates(box.max());
-        std::uint64_t found = 0;
-        for (int z = low[2] / kSide; z <= high[2] / kSide && found == 0; ++z)
-        {
-            for (int y = low[1] / kSide; y <= high[1] / kSide && found == 0; ++y)
-            {
-                forEachWordOf({low[0], high[0]},
-                              [&](int x, std::uint64_t bits)
-                              {
-                                  const std::size_t some = word(x, y * kSide, z * kSide);
-                                  const std::uint64_t* first = &set[some - some % kNowhere];
-                                  std::uint64_t all = 0;
-                                  for (std::size_t k = 0; k < kNowhere; ++k)
-                                  {
-                                      all |= first[k];
-                                  }
-                                  found |= all & bits;
-                              });
-            }
-        }
         return found != 0;
     }
     /// Calls visit(CubeWord) for the cubes of other words that share a face with `cubes`.
@@ -207,8 +181,17 @@ private:
     BrickedCells<1> words_;
 };
 
+/// Returns those of a set whose middle is farther than this from the surface.
+[[nodiscard]] CubeSet cubesFartherThan(const Surface& surface, const Cubes& cubes, double distance,
+                                       CubeSet among, Threads& threads);
+
+/// Returns those of a set that are inside of the surface. Cubes that are connected through faces
+/// have to lie on one side.
+[[nodiscard]] CubeSet cubesInside(const Cubes& cubes, const InsideTest& inside, CubeSet among);
+
 /// Which cubes belong to a ball, by what is added to the distance of their middle along each axis.
 inline constexpr double kInsideBall = 0.5; ///< [edge] the farthest corner is within the radius
+inline constexpr double kMiddleInBall = 0; ///< [edge] the middle is
 inline constexpr double kMeetsBall = -0.5; ///< [edge] the nearest point is
 
 /// Calls test(y, z, run) for the rows of a grid with cubes of a ball, from the top down, until it

@@ -4,6 +4,7 @@
 #include "mesh/interior/surface.hpp"
 #include "mesh/interior/triangle_grid.hpp"
 #include "simulation/paper/tolerances.hpp"
+#include "simulation/world/spheres.hpp"
 
 #include <frostfill/scene.hpp>
 #include <frostfill/snapshot.hpp>
@@ -14,6 +15,34 @@
 
 namespace frostfill
 {
+
+/// Spheres with ids from `begin` to before `end`. In the preset paper all come to rest in the order
+/// of their ids, so that the id of one at rest is also its row.
+struct IdRange
+{
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+/// Which spheres at rest a running one is tested with in cycle 2 of Algorithm 1: those in the cells
+/// near it, in the order of all pairs, so that the bits are the same.
+class SpheresByGrid
+{
+public:
+    /// `resting`: a grid of all spheres at rest, kept up to date, which outlives this.
+    explicit SpheresByGrid(const SphereGrid& resting) : resting_(resting) {}
+
+    /// Those of `frozen` that the sphere in running row `i` is tested with, as ranges in ascending
+    /// order: at least all that it may touch, also after the others have pushed it by up to the
+    /// largest radius. Valid until the next call.
+    [[nodiscard]] std::span<const IdRange> near(const Spheres& spheres, std::uint32_t i,
+                                                IdRange frozen);
+
+private:
+    const SphereGrid& resting_;
+    std::vector<std::uint32_t> ids_;
+    std::vector<IdRange> ranges_;
+};
 
 /// Tests a sphere with the polygons that a search calls it for.
 class PolygonVisitor
