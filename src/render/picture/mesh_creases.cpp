@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/mesh_creases.hpp"
 
-#include "mesh/disjoint_sets.hpp"
-#include "mesh/vertex_triangles.hpp"
+#include "mesh/connectivity.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/quality/wall_pieces.hpp"
 
-#include "mesh/disjoint_sets.hpp"
+#include "mesh/connectivity.hpp"
 
 #include <algorithm>
 #include <utility>

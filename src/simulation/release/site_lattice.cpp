@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/site_lattice.hpp"
 
-#include "geometry/cell_rows.hpp"
+#include "geometry/grid_frame.hpp"
 #include "mesh/interior/near_surface.hpp"
 #include "simulation/release/tolerances.hpp"
 #include "simulation/world/tolerances.hpp"

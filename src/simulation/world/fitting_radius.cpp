@@ -25,7 +25,7 @@ ThickParts thickParts(const World& world)
 {
     MeshReport report = world.report;
     report.volume /= std::pow(world.frame.length, 3);
-    return {report, NearestPoint(world.surface.mesh()), kSamples};
+    return {report, world.surface.mesh(), world.surface.tree(), kSamples};
 }
 
 double radiusThatFits(const World& world, const ThickParts& parts, std::size_t count)

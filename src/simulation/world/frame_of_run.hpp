@@ -44,11 +44,6 @@ struct FrameOfRun
         const Eigen::Vector3d r(q[axis[0]], q[axis[1]], q[axis[2]]);
         return moved.empty() ? r : together(r);
     }
-    /// Whether toRun does nothing but to take away the origin and to divide by the length.
-    [[nodiscard]] bool onlyMovesAndScales() const
-    {
-        return moved.empty() && axis == std::array<int, 3>{0, 1, 2};
-    }
     /// A vector in mesh coordinates.
     [[nodiscard]] Eigen::Vector3d toMeshOffset(const Eigen::Vector3d& p) const
     {
