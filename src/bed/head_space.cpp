@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bed/head_space.hpp"
 
-#include "mesh/repair/lids.hpp"
+#include "mesh/repair/repair_steps.hpp"
 
 #include <algorithm>
 #include <cmath>

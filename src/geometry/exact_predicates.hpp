@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace frostfill
 {
 
@@ -17,5 +19,24 @@ namespace frostfill
 /// 0 if the four points lie in a plane.
 [[nodiscard]] int orient3d(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                            const Eigen::Vector3d& c, const Eigen::Vector3d& d);
+
+/// Two triangles of a surface, with the corners that they share in front and in the same order.
+/// Both have an area. Corners with equal coordinates need not be shared: two sheets may touch
+/// there.
+struct TrianglePair
+{
+    using Corners = std::array<Eigen::Vector3d, 3>;
+
+    Corners a;
+    Corners b;
+    int shared = 0; ///< 0 to 3 corners
+};
+
+/// Whether the corners do not lie on a line. Exact.
+[[nodiscard]] bool hasArea(const TrianglePair::Corners& triangle);
+
+/// Whether the triangles have a point in common that belongs to no shared corner or edge. To touch
+/// is to cross. Exact, see orient3d.
+[[nodiscard]] bool trianglesCross(const TrianglePair& pair);
 
 } // namespace frostfill

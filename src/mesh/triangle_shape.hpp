@@ -15,7 +15,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// A triangle has no area if twice its area over its squared longest edge is below this. Far below
 /// what single precision can express on purpose, far above rounding in double precision.
-inline constexpr double kFlat = 1e-12;
+inline constexpr double kFlatTriangle = 1e-12;
 
 [[nodiscard]] inline std::array<Eigen::Vector3d, 3> cornersOf(const TriangleMesh& mesh,
                                                               std::size_t triangle)
@@ -34,7 +34,7 @@ inline constexpr double kFlat = 1e-12;
 {
     const double longest =
         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    return (b - a).cross(c - a).norm() <= kFlat * longest;
+    return (b - a).cross(c - a).norm() <= kFlatTriangle * longest;
 }
 
 [[nodiscard]] inline bool isFlat(const TriangleMesh& mesh, const Triangle& t)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "output/video.hpp"
 
-#include "base/posix_file.hpp"
+#include "base/atomic_file.hpp"
 #include "base/run_program.hpp"
 
 #include <frostfill/error.hpp>

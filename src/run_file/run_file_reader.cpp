@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/mesh_files.hpp"
+#include "mesh/files/readers.hpp"
 #include "run_file/frame_codec.hpp"
 #include "run_file/mapped_file.hpp"
 #include "run_file/records.hpp"

@@ -144,14 +144,14 @@ bool isCompact(const Scene& scene, const MeshReport& report, double radius)
 }
 
 /// At most that of a compact object.
-double radiusForThinParts(const Scene& scene, const MeshReport& report, const NearestPoint& surface,
-                          double compact)
+double radiusForThinParts(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
+                          const TriangleBvh& tree, double compact)
 {
     const auto count = static_cast<double>(*scene.spheres.count);
     double radius = compact;
     for (const Closeness& level : kThicknessLevels)
     {
-        const ThickParts parts(report, surface, level.samples);
+        const ThickParts parts(report, mesh, tree, level.samples);
         if (parts.count(compact) >= level.enough * count)
         {
             return compact;
@@ -168,21 +168,16 @@ double sphereRadius(const Scene& scene, const MeshReport& report, const Triangle
     const double compact = sphereRadius(scene, report);
     return isCompact(scene, report, compact)
                ? compact
-               : radiusForThinParts(scene, report, NearestPoint(mesh), compact);
+               : radiusForThinParts(scene, report, mesh, TriangleBvh(mesh), compact);
 }
 
 double sphereRadius(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
-                    const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
+                    const TriangleBvh& tree)
 {
     const double compact = sphereRadius(scene, report);
-    if (isCompact(scene, report, compact))
-    {
-        return compact;
-    }
-    NearestPoint surface(mesh, tree);
-    const double radius = radiusForThinParts(scene, report, surface, compact);
-    bvh = std::move(surface).take();
-    return radius;
+    return isCompact(scene, report, compact)
+               ? compact
+               : radiusForThinParts(scene, report, mesh, tree, compact);
 }
 
 } // namespace frostfill

@@ -17,12 +17,13 @@ constexpr double kEase = 1.03;
 
 } // namespace
 
-ThickParts::ThickParts(const MeshReport& report, const NearestPoint& surface, std::size_t samples)
+ThickParts::ThickParts(const MeshReport& report, const TriangleMesh& mesh, const TriangleBvh& tree,
+                       std::size_t samples)
 {
     // One piece that does not meet itself has its inside behind it all.
     const bool onePiece = report.components == 1 && report.nonManifoldEdges == 0 &&
                           report.crossedTriangles == 0 && report.degenerateTriangles == 0;
-    std::vector<ThicknessSample> places = sampleThickness(surface, samples, onePiece);
+    std::vector<ThicknessSample> places = sampleThickness(mesh, tree, samples, onePiece);
     std::sort(places.begin(), places.end(),
               [](const auto& a, const auto& b) { return a.thickness > b.thickness; });
     double volume = 0;

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/nearest_point.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 #include "scene/packing_estimate.hpp"
 
 #include <frostfill/mesh.hpp>
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace frostfill
@@ -18,9 +17,10 @@ namespace frostfill
 class ThickParts
 {
 public:
-    /// `report` is that of inspectInterior, of the mesh that `surface` searches. `samples`: places
-    /// of the surface that are looked at; more find more of the thin parts.
-    ThickParts(const MeshReport& report, const NearestPoint& surface, std::size_t samples);
+    /// `report` is that of inspectInterior, and `tree` that of the mesh. `samples`: places of the
+    /// surface that are looked at; more find more of the thin parts.
+    ThickParts(const MeshReport& report, const TriangleMesh& mesh, const TriangleBvh& tree,
+               std::size_t samples);
 
     /// The radius of about the largest ball inside; 0 if nothing is known of the object.
     [[nodiscard]] double largest() const { return parts_.empty() ? 0 : parts_.front().thickness; }
@@ -42,10 +42,8 @@ private:
     std::vector<Part> parts_; ///< descending in thickness
 };
 
-/// The public sphereRadius, for who has a tree of the mesh already, with kSmallLeaf. Leaves what it
-/// had to make of the mesh in `bvh`.
+/// The public sphereRadius, for who has the tree of the mesh already.
 [[nodiscard]] double sphereRadius(const Scene& scene, const MeshReport& report,
-                                  const TriangleMesh& mesh, const TriangleTree& tree,
-                                  std::optional<TriangleBvh>& bvh);
+                                  const TriangleMesh& mesh, const TriangleBvh& tree);
 
 } // namespace frostfill

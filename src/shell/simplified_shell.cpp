@@ -2,7 +2,7 @@
 #include "shell/simplified_shell.hpp"
 
 #include "geometry/closest_point.hpp"
-#include "mesh/interior/nearest_point.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 #include "mesh/triangle_shape.hpp"
 
 #include <meshoptimizer.h>
@@ -166,8 +166,8 @@ class FarthestPoint
 {
 public:
     /// A bound need not be finer than `enough`.
-    FarthestPoint(const TriangleMesh& to, const NearestPoint& nearest, double limit, double enough)
-        : to_(to), nearest_(nearest), limit_(limit), enough_(enough)
+    FarthestPoint(const TriangleMesh& to, const TriangleBvh& tree, double limit, double enough)
+        : to_(to), tree_(tree), limit_(limit), enough_(enough)
     {
     }
 
@@ -175,7 +175,8 @@ public:
     /// limit.
     std::optional<std::uint32_t> add(const Corners& corners, int depth = 0)
     {
-        const auto middle = nearest_.find((corners[0] + corners[1] + corners[2]) / 3, limit_);
+        const auto middle =
+            nearestPoint(to_, tree_, (corners[0] + corners[1] + corners[2]) / 3, limit_);
         if (!middle)
         {
             return std::nullopt;
@@ -215,7 +216,7 @@ private:
         enough_ = std::max(enough_, kTolerance * ofMiddle);
         for (const Eigen::Vector3d& corner : corners)
         {
-            const auto place = nearest_.find(corner, limit_);
+            const auto place = nearestPoint(to_, tree_, corner, limit_);
             if (!place)
             {
                 return false;
@@ -236,7 +237,7 @@ private:
     }
 
     const TriangleMesh& to_;
-    const NearestPoint& nearest_;
+    const TriangleBvh& tree_;
     double limit_;
     double bound_ = 0; ///< of all triangles so far
     double enough_;
@@ -247,12 +248,12 @@ private:
 std::optional<DistanceBound> distanceBound(const TriangleMesh& from, const TriangleMesh& to,
                                            double limit)
 {
-    const NearestPoint nearest(to);
+    const TriangleBvh tree(to);
     const std::size_t count = from.triangles.size();
     DistanceBound result;
     result.nearest.resize(count);
 
-    FarthestPoint sample(to, nearest, limit, kNegligible * limit);
+    FarthestPoint sample(to, tree, limit, kNegligible * limit);
     for (std::size_t t = 0; t < count; t += kSampled)
     {
         if (!sample.add(cornersOf(from, t)))
@@ -267,7 +268,7 @@ std::optional<DistanceBound> distanceBound(const TriangleMesh& from, const Trian
     tbb::parallel_for(std::size_t{0}, parts,
                       [&](std::size_t part)
                       {
-                          FarthestPoint farthest(to, nearest, limit, sample.enough());
+                          FarthestPoint farthest(to, tree, limit, sample.enough());
                           const std::size_t end = std::min(count, (part + 1) * kPerPart);
                           for (std::size_t t = part * kPerPart; t < end; ++t)
                           {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Any bytes as a mesh file. The first byte chooses the name's ending. What is read is repaired and
 // measured as `frostfill mesh` does.
-#include "mesh/files/mesh_files.hpp"
+#include "mesh/files/readers.hpp"
 
 #include <frostfill/error.hpp>
 

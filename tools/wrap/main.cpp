@@ -4,7 +4,7 @@
 // Called by frostfill, which writes IN and reads OUT, PLY files in memory. BYTES of address space
 // and SECONDS of processor time are this process's limits. Exit code 65 with a reason on standard
 // output: the mesh cannot be worked on.
-#include "base/sanitized.hpp"
+#include "base/resources.hpp"
 #include "work.hpp"
 
 #include <frostfill/error.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "base/atomic_file.hpp"
 #include "export/inputs/start_state.hpp"
-#include "mesh/interior/nearest_point.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 
 #include <fmt/format.h>
 
@@ -149,10 +149,13 @@ void writeLammpsData(const StartState& state, const std::filesystem::path& file,
         writeDataFile(file, state, 2 * state.largest, [](const StartSphere&) { return 1; });
         return;
     }
-    const NearestPoint walls(state.walls);
+    const TriangleBvh walls(state.walls);
     writeDataFile(file, state, 2 * state.largest,
                   [&](const StartSphere& sphere)
-                  { return walls.find(sphere.centre, (1 + kTouches) * sphere.radius) ? 2 : 1; });
+                  {
+                      const double touches = (1 + kTouches) * sphere.radius;
+                      return nearestPoint(state.walls, walls, sphere.centre, touches) ? 2 : 1;
+                  });
 }
 
 void writeLammps(const StartState& state, const std::vector<std::filesystem::path>& files)

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/containers.hpp"
-#include "mesh/files/file_kind.hpp"
-#include "mesh/files/mesh_files.hpp"
+#include "base/read_number.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
-#include "mesh/files/unpack.hpp"
-#include "mesh/repair/clean_mesh.hpp"
-#include "mesh/repair/stitch_seams.hpp"
+#include "mesh/repair/repair_steps.hpp"
 
 #include <frostfill/error.hpp>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 
 namespace frostfill
@@ -20,13 +18,168 @@ namespace frostfill
 namespace
 {
 
-std::string endingOf(const std::filesystem::path& file)
+constexpr std::size_t kLooksAhead = 512; // [byte] for what no text holds
+constexpr std::size_t kHeadOfXml = 4096; // [byte] in which the first element is, behind comments
+
+/// A file, and what its reader has to overlook in it.
+struct Source
 {
-    std::string ending = file.extension().string();
-    ending.erase(0, 1);
+    std::string_view bytes;
+    const std::filesystem::path& name;
+    std::vector<std::string>& remarks;
+    std::vector<MeshPatch>& solids;
+};
+using Reader = TriangleMesh (*)(const Source&);
+
+template <TriangleMesh (*Read)(std::string_view)>
+TriangleMesh readWith(const Source& source)
+{
+    return Read(source.bytes);
+}
+
+TriangleMesh readGltf(const Source& source)
+{
+    return readScene(source.name, source.bytes, "gltf");
+}
+
+TriangleMesh readFbx(const Source& source)
+{
+    return readScene(source.name, source.bytes, "fbx");
+}
+
+TriangleMesh readVrml(const Source& source)
+{
+    return readScene(std::filesystem::path(source.name).replace_extension("x3d"),
+                     x3dOfVrml(source.bytes), "x3d");
+}
+
+TriangleMesh readStlText(const Source& source)
+{
+    return readAsciiStl(source.bytes, source.solids);
+}
+
+struct KnownFormat
+{
+    std::string_view begin; ///< of the file, or of the first element of XML
+    Reader reader;
+};
+
+constexpr std::array<KnownFormat, 9> kKnownFormats = {
+    {{"glTF", readGltf},
+     {"#VRML V2.0", readVrml},
+     {"<COLLADA", [](const Source& s) { return readScene(s.name, s.bytes, "dae"); }},
+     {"Kaydara FBX Binary", readFbx},
+     {"; FBX", readFbx},
+     {"<X3D", [](const Source& s) { return readScene(s.name, s.bytes, "x3d"); }},
+     {"PK\x03\x04", [](const Source& s) { return readScene(s.name, s.bytes, "3mf"); }},
+     {"# vtk", readWith<readVtk>},
+     {"<VTKFile", readWith<readVtp>}}};
+
+struct ForeignFormat
+{
+    std::string_view begin; ///< likewise
+    std::string_view name;
+};
+
+constexpr std::array<ForeignFormat, 11> kForeignFormats = {{
+    {"\x1f\x8b", "compressed (gzip) twice: unpack it with gunzip"},
+    {"BLENDER", "a Blender file"},
+    {"DRACO", "compressed with Draco"},
+    {"ISO-10303-21", "a STEP file, of curved surfaces"},
+    {"#VRML", "a VRML 1.0 file"},
+    {"# .PCD", "a point cloud (PCD)"},
+    {"LASF", "a point cloud (LAS)"},
+    {"$MeshFormat", "a Gmsh file"},
+    {"MeshVersionFormatted", "a Medit file"},
+    {"<amf", "an AMF file"},
+    {"<", "XML or a web page"},
+}};
+
+/// Of a table of beginnings, the format whose beginning a file has; null for none.
+template <class Formats>
+const auto* formatOf(std::string_view bytes, const Formats& formats)
+{
+    const std::string_view xml =
+        bytes.substr(0, !bytes.empty() && bytes.front() == '<' ? kHeadOfXml : 0);
+    const auto found = std::find_if(formats.begin(), formats.end(),
+                                    [&](const auto& format) {
+                                        return bytes.starts_with(format.begin) ||
+                                               xml.find(format.begin) != std::string_view::npos;
+                                    });
+    return found == formats.end() ? nullptr : &*found;
+}
+
+/// What the content alone tells; null if that is nothing.
+Reader readerByContent(std::string_view bytes)
+{
+    if (hasSizeOfBinaryStl(bytes))
+    {
+        return readWith<readBinaryStl>; // even if it begins with "solid", as some do
+    }
+    if (const auto* known = formatOf(bytes, kKnownFormats))
+    {
+        return known->reader;
+    }
+    TextScanner scanner(bytes, {.comment = '#'});
+    const std::string_view word = scanner.wordAnywhere();
+    if (word == "ply")
+    {
+        return [](const Source& source) { return readPly(source.bytes, source.remarks); };
+    }
+    if (word == "solid" || word == "SOLID" || word == "Solid")
+    {
+        // Binary files may begin with this word too.
+        const bool isText = bytes.substr(0, kLooksAhead).find('\0') == std::string_view::npos;
+        return isText ? readStlText : readWith<readBinaryStl>;
+    }
+    return word.ends_with("OFF") && word.size() <= 8 // STCN4nOFF at most
+               ? readWith<readOff>
+               : nullptr;
+}
+
+/// Null for an ending that tells nothing.
+Reader readerByEnding(const std::filesystem::path& name)
+{
+    std::string ending = name.extension().string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return ending;
+    if (ending == ".ply")
+    {
+        throw Unreadable("it does not begin with the word 'ply' as PLY files do; export the mesh "
+                         "again");
+    }
+    return ending == ".obj"                        ? readWith<readObj>
+           : ending == ".off"                      ? readWith<readOff> // OFF may be left out
+           : ending == ".stl"                      ? readWith<readBinaryStl>
+           : ending == ".gltf" || ending == ".glb" ? readGltf
+                                                   : nullptr;
+}
+
+/// The reader of a file, by its content first and then by its name's ending: many files have the
+/// wrong one. `bytes` as decodeText leaves them. Throws Unreadable, with the format's name if it is
+/// a known one that nothing here reads.
+Reader readerOf(std::string_view bytes, const std::filesystem::path& name)
+{
+    if (bytes.empty())
+    {
+        throw Unreadable("it is empty; export the mesh again");
+    }
+    if (const Reader byContent = readerByContent(bytes))
+    {
+        return byContent;
+    }
+    if (const auto* stranger = formatOf(bytes, kForeignFormats))
+    {
+        throw Unreadable(fmt::format(
+            "it is {}; convert the mesh to OBJ, STL, PLY, OFF, VTP or glTF", stranger->name));
+    }
+    if (const Reader byEnding = readerByEnding(name))
+    {
+        return byEnding;
+    }
+    throw Unreadable("its content is none of the formats that can be read, and it does not end in "
+                     ".obj, .stl, .ply, .off, .gltf or .glb; convert the mesh to one of these, "
+                     "VTP, DAE, FBX, X3D, 3MF or VRML 97");
 }
 
 std::string contentOf(const std::filesystem::path& file)
@@ -52,35 +205,65 @@ std::string contentOf(const std::filesystem::path& file)
     return bytes;
 }
 
-TriangleMesh parse(const std::string& bytes, FileKind kind, const std::filesystem::path& file,
-                   std::vector<std::string>& remarks, std::vector<MeshPatch>& solids)
+constexpr std::array<std::string_view, 14> kEndings = {".obj", ".stl", ".ply", ".off", ".gltf",
+                                                       ".glb", ".dae", ".fbx", ".x3d", ".3mf",
+                                                       ".vtk", ".vtp", ".vtu", ".wrl"};
+
+bool endsAsMesh(const std::filesystem::path& file)
 {
-    switch (kind)
+    const std::filesystem::path ending =
+        file.extension() == ".gz" ? file.stem().extension() : file.extension();
+    return std::find(kEndings.begin(), kEndings.end(), ending.string()) != kEndings.end();
+}
+
+std::vector<std::filesystem::path> meshesIn(const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(folder))
     {
-    case FileKind::obj:
-        return readObj(bytes);
-    case FileKind::off:
-        return readOff(bytes);
-    case FileKind::ply:
-        return readPly(bytes, remarks);
-    case FileKind::asciiStl:
-        return readAsciiStl(bytes, solids);
-    case FileKind::binaryStl:
-        return readBinaryStl(bytes);
-    case FileKind::vtk:
-        return readVtk(bytes);
-    case FileKind::vtp:
-        return readVtp(bytes);
-    case FileKind::vrml:
-        return readScene(std::filesystem::path(file).replace_extension("x3d"), x3dOfVrml(bytes),
-                         "x3d");
-    default:
-        break;
+        if (entry.is_regular_file() && endsAsMesh(entry.path()))
+        {
+            files.push_back(entry.path());
+        }
     }
-    return readScene(file, bytes, endingOfScene(kind));
+    if (files.empty())
+    {
+        throw Error(ErrorCode::inputMissing,
+                    fmt::format("the folder '{}' has no mesh: no file in it ends in {}",
+                                folder.string(), fmt::join(kEndings, ", ")));
+    }
+    std::sort(files.begin(), files.end()); // the order of a folder is chance
+    return files;
 }
 
 } // namespace
+
+std::vector<std::filesystem::path> filesOfMesh(const std::filesystem::path& given)
+{
+    std::error_code ignored; // then it is read as a file, which says why it cannot be
+    if (std::filesystem::is_directory(given, ignored))
+    {
+        return meshesIn(given);
+    }
+    const std::string name = given.string();
+    if (name.find('+') == std::string::npos || std::filesystem::exists(given, ignored))
+    {
+        return {given};
+    }
+    std::vector<std::filesystem::path> files;
+    for (const std::string_view part : partsOf(name, '+'))
+    {
+        files.emplace_back(part);
+        if (!std::filesystem::is_regular_file(files.back(), ignored))
+        {
+            throw Error(ErrorCode::inputMissing,
+                        fmt::format("there is no file '{}': give one mesh, or several files, which "
+                                    "are its patches",
+                                    part));
+        }
+    }
+    return files;
+}
 
 TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
                        std::vector<std::string>* remarks, std::vector<MeshPatch>* solids)
@@ -100,7 +283,7 @@ TriangleMesh parseMesh(std::string bytes, const std::filesystem::path& file,
         }
         std::vector<std::string> overlooked;
         std::vector<MeshPatch> found;
-        TriangleMesh mesh = parse(bytes, kindOf(bytes, endingOf(name)), name, overlooked, found);
+        TriangleMesh mesh = readerOf(bytes, name)({bytes, name, overlooked, found});
         if (const auto fault = findInvalidData(mesh))
         {
             throw Unreadable(*fault + "; export the mesh again");

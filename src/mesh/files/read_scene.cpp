@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/binary_numbers.hpp"
-#include "mesh/files/one_file_io.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/unreadable.hpp"
 
 #include <assimp/BaseImporter.h>
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <optional>
 #include <set>
 
@@ -17,6 +18,58 @@ namespace frostfill
 {
 namespace
 {
+
+/// The canonical path, so neither ".." nor a symbolic link leads out of the folder.
+std::filesystem::path canonicalPath(const std::filesystem::path& name)
+{
+    std::error_code ignored; // then it is empty
+    return std::filesystem::weakly_canonical(name, ignored);
+}
+
+/// Gives assimp the content of the mesh file, which is in memory, and lets it open, for glTF, .bin
+/// files in the same folder. It opens nothing else, wherever a material library or a malicious
+/// reference points.
+class OneFileIo : public Assimp::DefaultIOSystem
+{
+public:
+    /// `content` has to outlive this.
+    OneFileIo(const std::filesystem::path& file, std::string_view content)
+        : file_(canonicalPath(file)), content_(content), hasBuffers_(file.extension() == ".gltf")
+    {
+    }
+
+    bool Exists(const char* name) const override
+    {
+        return isMesh(name) || (isBuffer(name) && DefaultIOSystem::Exists(name));
+    }
+    Assimp::IOStream* Open(const char* name, const char* mode = "rb") override
+    {
+        if (!std::string_view(mode).starts_with('r'))
+        {
+            return nullptr;
+        }
+        if (isMesh(name))
+        {
+            return new Assimp::MemoryIOStream(
+                reinterpret_cast<const std::uint8_t*>(content_.data()), content_.size());
+        }
+        return isBuffer(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
+    }
+
+private:
+    [[nodiscard]] bool isMesh(const char* name) const { return canonicalPath(name) == file_; }
+    /// Whether a name is that of a buffer beside the mesh file.
+    [[nodiscard]] bool isBuffer(const char* name) const
+    {
+        const std::filesystem::path wanted = canonicalPath(name);
+        return hasBuffers_ && wanted.extension() == ".bin" &&
+               wanted.parent_path() == file_.parent_path();
+    }
+
+    std::filesystem::path file_;
+    std::string_view content_;
+    bool hasBuffers_;
+};
 
 struct Extension
 {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/binary_numbers.hpp"
 #include "mesh/files/polygon_mesh.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"

@@ -1,12 +1,132 @@
 // SPDX-License-Identifier: MIT
-// Legacy files of VTK, as ParaView, PyVista, meshio and OpenFOAM write them: versions 1 to 5.1.
+// Legacy files of VTK, as ParaView, PyVista, meshio and OpenFOAM write them: versions 1 to 5.1; and
+// what they share with those of XML.
 #include "base/read_number.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
 #include "mesh/files/vtk_values.hpp"
 
+#include <charconv>
+
 namespace frostfill
 {
+namespace
+{
+
+/// VTK's numbers of kinds of cells; those up to a polyline have no surface, and those from a
+/// tetrahedron on a volume or curved sides.
+constexpr double kPolyline = 4;
+constexpr double kPixel = 8; // a rectangle whose corners do not go round
+constexpr double kQuad = 9;
+
+} // namespace
+
+const NumberType& vtkType(std::string_view name)
+{
+    const NumberType* type = findNumberType(name);
+    if (type == nullptr)
+    {
+        throw Unreadable(fmt::format("its numbers have the type {}, which VTK does not have; "
+                                     "export the mesh again",
+                                     quoted(name)));
+    }
+    return *type;
+}
+
+std::vector<double> vtkNumbers(std::string_view bytes, const NumberType& type, bool bigEndian)
+{
+    std::vector<double> numbers(bytes.size() / type.size);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+        numbers[i] = type.load(bytes.data() + i * type.size, bigEndian);
+    }
+    return numbers;
+}
+
+std::vector<double> vtkNumbers(std::string_view& text, std::uint64_t count)
+{
+    std::vector<double> numbers;
+    while (numbers.size() < count)
+    {
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+        double number = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        if (error != std::errc() && (count != kAllNumbers || !text.empty()))
+        {
+            throw Unreadable(fmt::format("its {}. number is {}; export the mesh again",
+                                         numbers.size() + 1, quoted(text.substr(0, 20))));
+        }
+        if (error != std::errc())
+        {
+            break;
+        }
+        numbers.push_back(number);
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    }
+    return numbers;
+}
+
+void addVtkPiece(PolygonMesh& mesh, const VtkPiece& piece)
+{
+    const auto first = static_cast<std::int64_t>(mesh.vertexCount());
+    const std::size_t count = piece.points.size() / 3;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        mesh.addVertex({piece.points[3 * i], piece.points[3 * i + 1], piece.points[3 * i + 2]});
+    }
+    std::vector<std::int64_t> corners;
+    for (const VtkPiece::Cells& cells : piece.cells)
+    {
+        std::size_t begin = 0;
+        for (std::size_t k = 0; k < cells.ends.size(); ++k)
+        {
+            const Place where{"cell", k};
+            const double end = cells.ends[k];
+            const double type = cells.types.size() == 1  ? cells.types[0]
+                                : k < cells.types.size() ? cells.types[k]
+                                                         : -1;
+            if (!(end >= static_cast<double>(begin)) ||
+                end > static_cast<double>(cells.corners.size()) || !(type >= 0))
+            {
+                refuseAt(where, "its corners or its type are missing; export the mesh again");
+            }
+            if (type > kQuad)
+            {
+                refuseAt(where,
+                         fmt::format("it is of VTK's type {:g}, which has a volume or curved "
+                                     "sides; save the surface alone (ParaView: Extract "
+                                     "Surface)",
+                                     type));
+            }
+            corners.clear();
+            for (; static_cast<double>(begin) < end; ++begin)
+            {
+                const double corner = cells.corners[begin];
+                if (!(corner >= 0 && corner < static_cast<double>(count)))
+                {
+                    refuseAt(where, fmt::format("it names point {:g} of {} (numbered from 0); "
+                                                "export the mesh again",
+                                                corner, count));
+                }
+                corners.push_back(first + static_cast<std::int64_t>(corner));
+            }
+            if (type == kPixel && corners.size() == 4)
+            {
+                std::swap(corners[2], corners[3]);
+            }
+            if (type == kVtkStrip)
+            {
+                mesh.addStrips(k, corners);
+            }
+            else
+            {
+                mesh.addFace(k, type > kPolyline ? std::span<const std::int64_t>(corners)
+                                                 : std::span<const std::int64_t>());
+            }
+        }
+    }
+}
+
 namespace
 {
 
@@ -115,7 +235,7 @@ private:
     /// Numbers that begin in the next line.
     std::vector<double> numbers(std::uint64_t each, std::uint64_t many, std::string_view typeName)
     {
-        const VtkType& type = vtkType(typeName);
+        const NumberType& type = vtkType(typeName);
         if (!binary_)
         {
             return vtkNumbers(rest_, each * many);

@@ -2,10 +2,8 @@
 // Files of VTK in XML: VTP, and VTU if it holds a surface. Numbers as text, in base64 or raw, as
 // they are or compressed by zlib.
 #include "base/read_number.hpp"
-#include "mesh/files/binary_numbers.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/files/text_scanner.hpp"
-#include "mesh/files/unpack.hpp"
 #include "mesh/files/vtk_values.hpp"
 
 namespace frostfill

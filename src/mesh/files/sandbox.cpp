@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
+// Reading a mesh from an untrusted source. Assimp 5.2.5, the reader of glTF in Debian 12,
+// crashes, hangs or fills the memory on damaged files; in a child process that costs a sentence.
+// The other readers are not known to, and are sandboxed nevertheless.
 #include "mesh/files/sandbox.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/read_number.hpp"
 #include "base/resources.hpp"
+#include "mesh/files/readers.hpp"
+#include "mesh/repair/patches.hpp"
+#include "mesh/repair/repair_steps.hpp"
 
 #include <frostfill/error.hpp>
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -17,16 +23,14 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <new>
-#include <string_view>
+#include <span>
 #include <system_error>
 #include <utility>
 
@@ -38,23 +42,28 @@ namespace
 /// The child's end of the pipe; it has no other file open above it.
 constexpr int kReport = 3;
 constexpr rlim_t kMaxFiles = 16;
-/// A child that sleeps uses no processor time: it is killed after its limit times this. [1]
+/// A child that sleeps uses no processor time: it ends after its limit times this. [1]
 constexpr unsigned kWaitFactor = 10;
 
 /// What the pipe holds, if the system allows that. [byte] Smaller: parent and child wait for each
 /// other more often. Larger: more than the processor's cache keeps.
 constexpr int kPipe = 1 << 20;
 
-// How the report of the child begins.
+enum class Outcome : char
+{
+    none,
+    done,       ///< vertices, triangles, remarks and patches follow
+    refused,    ///< the error's sentence follows in place of remarks
+    outOfMemory ///< nothing follows
+};
+
+/// How the report of the child begins.
 struct Head
 {
-    char kind = '\0';
-    unsigned char code = 0; ///< of an error
-    std::uint64_t size = 0; ///< of what follows [byte]
+    Outcome outcome = Outcome::none;
+    unsigned char code = 0;                ///< of an error
+    std::array<std::uint64_t, 4> counts{}; ///< of vertices, triangles, and bytes of both texts
 };
-constexpr char kDone = 'D';        // the bytes follow
-constexpr char kRefused = 'E';     // the error's sentence follows
-constexpr char kOutOfMemory = 'M'; // nothing follows
 
 // Sanitizers map terabytes of shadow, which no limit on addresses could leave room for.
 #ifdef FROSTFILL_SANITIZED
@@ -105,10 +114,14 @@ SandboxLimits bounded(SandboxLimits limits)
 void enterSandbox(const SandboxLimits& limits)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGPIPE, SIGXCPU})
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1, SIGPIPE, SIGXCPU, SIGALRM})
     {
         std::signal(signal, SIG_DFL);
     }
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, nullptr);
+    alarm(std::max(1U, kWaitFactor * limits.seconds));
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_FSIZE, 0, 0);
     limit(RLIMIT_NOFILE, kMaxFiles, kMaxFiles);
@@ -120,29 +133,29 @@ void enterSandbox(const SandboxLimits& limits)
     }
 }
 
-void report(char kind, unsigned char code, const SandboxReport& parts)
+void send(const void* bytes, std::size_t size)
 {
-    Head head{kind, code, 0};
-    for (const std::string_view part : parts)
+    if (writeAll(kReport, {static_cast<const std::uint8_t*>(bytes), size}) != 0)
     {
-        head.size += part.size();
-    }
-    const auto send = [](const void* bytes, std::size_t size)
-    {
-        if (writeAll(kReport, {static_cast<const std::uint8_t*>(bytes), size}) != 0)
-        {
-            _exit(1);
-        }
-    };
-    send(&head, sizeof head);
-    for (const std::string_view part : parts)
-    {
-        send(part.data(), part.size());
+        _exit(1);
     }
 }
 
+void report(Outcome outcome, unsigned char code, const ReadResult& result)
+{
+    const auto& [mesh, remarks, patches] = result;
+    const Head head{outcome,
+                    code,
+                    {mesh.vertices.size(), mesh.triangles.size(), remarks.size(), patches.size()}};
+    send(&head, sizeof head);
+    send(mesh.vertices.data(), mesh.vertices.size() * sizeof mesh.vertices[0]);
+    send(mesh.triangles.data(), mesh.triangles.size() * sizeof mesh.triangles[0]);
+    send(remarks.data(), remarks.size());
+    send(patches.data(), patches.size());
+}
+
 [[noreturn]] void runAsChild(const SandboxLimits& limits, int pipe,
-                             const std::function<SandboxReport()>& work)
+                             const std::function<ReadResult()>& work)
 {
     dup2(pipe, kReport);
     close_range(kReport + 1, ~0U, 0);
@@ -154,15 +167,15 @@ void report(char kind, unsigned char code, const SandboxReport& parts)
     enterSandbox(limits);
     try
     {
-        report(kDone, 0, work());
+        report(Outcome::done, 0, work());
     }
     catch (const Error& error)
     {
-        report(kRefused, static_cast<unsigned char>(error.code()), {error.what()});
+        report(Outcome::refused, static_cast<unsigned char>(error.code()), {{}, error.what(), {}});
     }
     catch (const std::bad_alloc&)
     {
-        report(kOutOfMemory, 0, {});
+        report(Outcome::outOfMemory, 0, {});
     }
     // Nothing of the parent's is to be flushed or destroyed twice.
     _exit(0);
@@ -172,7 +185,7 @@ void report(char kind, unsigned char code, const SandboxReport& parts)
 class Child
 {
 public:
-    Child(const SandboxLimits& limits, const std::function<SandboxReport()>& work)
+    Child(const SandboxLimits& limits, const std::function<ReadResult()>& work)
     {
         std::array<int, 2> ends{};
         if (pipe2(ends.data(), O_CLOEXEC) != 0)
@@ -197,52 +210,36 @@ public:
     Child& operator=(const Child&) = delete;
     ~Child()
     {
-        close(pipe_);
         if (id_ > 0)
         {
             kill(id_, SIGKILL);
-            std::ignore = wait();
+            std::ignore = end();
         }
     }
 
-    /// What it reports. Without a kind if that is less than it announces, or if it had to be
-    /// ended: see end().
-    [[nodiscard]] std::pair<Head, SandboxedBytes> listen(std::chrono::seconds atMost,
-                                                         std::size_t mostBytes)
+    /// Reads what the child sends into `values`. False when the child ends before.
+    template <class Values>
+    [[nodiscard]] bool receive(Values&& values) const
     {
-        const auto end = std::chrono::steady_clock::now() + atMost;
-        Head head;
-        SandboxedBytes bytes;
-        if (!receive(reinterpret_cast<char*>(&head), sizeof head, end))
+        auto* to = reinterpret_cast<char*>(std::data(values));
+        for (std::size_t left = std::size(values) * sizeof *std::data(values); left > 0;)
         {
-            return {};
+            const ssize_t count = read(pipe_, to, left);
+            if (count == 0 || (count < 0 && errno != EINTR))
+            {
+                return false;
+            }
+            to += std::max<ssize_t>(count, 0);
+            left -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
         }
-        if (head.size > mostBytes)
-        {
-            end_ = End::tooLarge;
-            kill(id_, SIGKILL);
-            return {};
-        }
-        bytes = {std::make_unique_for_overwrite<char[]>(head.size), head.size};
-        if (!receive(bytes.bytes.get(), bytes.size, end))
-        {
-            return {};
-        }
-        return {head, std::move(bytes)};
+        return true;
     }
 
-    /// Why it had to be ended.
-    enum class End
+    /// Waits until the child has ended, and returns how, as waitpid tells it. What it still sends
+    /// is lost.
+    [[nodiscard]] int end()
     {
-        byItself,
-        tooLate,
-        tooLarge,
-    };
-    [[nodiscard]] End end() const { return end_; }
-
-    /// How it ended, as waitpid tells it.
-    [[nodiscard]] int wait()
-    {
+        close(pipe_);
         int status = 0;
         while (waitpid(id_, &status, 0) < 0 && errno == EINTR)
         {
@@ -259,75 +256,21 @@ private:
             fmt::format("{} for reading a mesh in a child process: {}", why, std::strerror(errno)));
     }
 
-    /// False when it ends or takes too long before; then it is no more.
-    [[nodiscard]] bool receive(char* to, std::size_t size,
-                               std::chrono::steady_clock::time_point end)
-    {
-        while (size > 0)
-        {
-            if (!hasMore(end))
-            {
-                end_ = End::tooLate;
-                kill(id_, SIGKILL);
-                return false;
-            }
-            const ssize_t count = read(pipe_, to, size);
-            if (count == 0 || (count < 0 && errno != EINTR))
-            {
-                return false;
-            }
-            to += std::max<ssize_t>(count, 0);
-            size -= static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-        }
-        return true;
-    }
-
-    [[nodiscard]] bool hasMore(std::chrono::steady_clock::time_point end) const
-    {
-        while (true)
-        {
-            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-                end - std::chrono::steady_clock::now());
-            if (left.count() <= 0)
-            {
-                return false;
-            }
-            pollfd pipe = {pipe_, POLLIN, 0};
-            const int ready = poll(&pipe, 1, static_cast<int>(left.count()) + 1);
-            if (ready > 0 || (ready < 0 && errno != EINTR))
-            {
-                return true;
-            }
-        }
-    }
-
     int pipe_ = -1;
     pid_t id_ = -1;
-    End end_ = End::byItself;
 };
 
-std::string describeMemory(const SandboxLimits& limits)
-{
-    return fmt::format("it needs more than {} MB of memory", limits.bytes >> 20);
-}
-
-std::string describeExit(int status, Child::End end, const SandboxLimits& limits)
+std::string describeExit(int status, const SandboxLimits& limits)
 {
     const std::string anew = "export the mesh again, in another format if need be";
-    if (end == Child::End::tooLarge)
-    {
-        return describeMemory(limits);
-    }
-    if (end == Child::End::tooLate)
-    {
-        return fmt::format("it takes more than {} s; {}", kWaitFactor * limits.seconds, anew);
-    }
     if (!WIFSIGNALED(status))
     {
         return fmt::format("the reader gave up on it; {}", anew);
     }
     switch (WTERMSIG(status))
     {
+    case SIGALRM:
+        return fmt::format("it takes more than {} s; {}", kWaitFactor * limits.seconds, anew);
     case SIGXCPU:
         return fmt::format("it takes more than {} s of processor time; {}", limits.seconds, anew);
     case SIGKILL:
@@ -338,50 +281,143 @@ std::string describeExit(int status, Child::End end, const SandboxLimits& limits
     }
 }
 
-SandboxedBytes joinedParts(const SandboxReport& parts)
+/// Whether all that a child announces is no more than it may have.
+bool isModest(const Head& head, std::size_t most)
 {
-    SandboxedBytes all;
-    for (const std::string_view part : parts)
+    const std::array<std::size_t, 4> sizes = {sizeof(Eigen::Vector3d), sizeof(Triangle), 1, 1};
+    std::size_t left = most;
+    for (std::size_t k = 0; k < sizes.size(); ++k)
     {
-        all.size += part.size();
+        if (head.counts[k] > left / sizes[k])
+        {
+            return false;
+        }
+        left -= head.counts[k] * sizes[k];
     }
-    all.bytes = std::make_unique_for_overwrite<char[]>(all.size);
-    char* end = all.bytes.get();
-    for (const std::string_view part : parts)
-    {
-        end = std::copy(part.begin(), part.end(), end);
-    }
-    return all;
+    return true;
 }
 
 } // namespace
 
-SandboxedBytes runSandboxed(const SandboxLimits& asked, const std::string& subject,
-                            const std::function<SandboxReport()>& work)
+ReadResult runSandboxed(const SandboxLimits& asked, const std::string& subject,
+                        const std::function<ReadResult()>& work)
 {
     if (!hasOneThread())
     {
-        return joinedParts(work());
+        return work();
     }
     const SandboxLimits limits = bounded(asked);
     Child child(limits, work);
-    auto [head, bytes] =
-        child.listen(std::chrono::seconds(kWaitFactor * limits.seconds), limits.bytes);
-    const int status = child.wait();
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || head.kind == '\0')
+    Head head;
+    ReadResult result;
+    const bool isAnswer = child.receive(std::span(&head, 1));
+    const bool fits = isModest(head, limits.bytes);
+    if (isAnswer && fits)
+    {
+        result.mesh.vertices.resize(head.counts[0]);
+        result.mesh.triangles.resize(head.counts[1]);
+        result.remarks.resize(head.counts[2]);
+        result.patches.resize(head.counts[3]);
+    }
+    const bool isWhole = isAnswer && fits && child.receive(result.mesh.vertices) &&
+                         child.receive(result.mesh.triangles) && child.receive(result.remarks) &&
+                         child.receive(result.patches);
+    const int status = child.end();
+    if (!fits || head.outcome == Outcome::outOfMemory)
+    {
+        throw Error(ErrorCode::badData, fmt::format("{}: it needs more than {} MB of memory",
+                                                    subject, limits.bytes >> 20));
+    }
+    if (!isWhole || status != 0)
     {
         throw Error(ErrorCode::badData,
-                    fmt::format("{}: {}", subject, describeExit(status, child.end(), limits)));
+                    fmt::format("{}: {}", subject, describeExit(status, limits)));
     }
-    if (head.kind == kRefused)
+    if (head.outcome == Outcome::refused)
     {
-        throw Error(static_cast<ErrorCode>(head.code), std::string(bytes.view()));
+        throw Error(static_cast<ErrorCode>(head.code), result.remarks);
     }
-    if (head.kind == kOutOfMemory)
+    return result;
+}
+
+namespace
+{
+
+// A mesh takes some 30 times its file's size while it is read. Damaged files of a few hundred bytes
+// take without end.
+constexpr std::size_t kBytesAtLeast = std::size_t{768} << 20;
+constexpr std::size_t kBytesPerByte = 100;
+constexpr std::size_t kSecondsAtLeast = 2;
+constexpr std::size_t kBytesPerSecond = std::size_t{1} << 20;
+
+SandboxLimits limitsFor(const std::filesystem::path& given)
+{
+    std::size_t size = 0;
+    for (const std::filesystem::path& file : filesOfMesh(given))
     {
-        throw Error(ErrorCode::badData, fmt::format("{}: {}", subject, describeMemory(limits)));
+        size += contentSize(file); // a file that is not there is told by readMesh
     }
-    return std::move(bytes);
+    return {kBytesAtLeast + kBytesPerByte * size,
+            static_cast<unsigned>(kSecondsAtLeast + size / kBytesPerSecond)};
+}
+
+/// Whole lines of ASCII, which no terminal takes for anything else.
+bool isText(std::string_view text)
+{
+    return (text.empty() || text.back() == '\n') &&
+           std::all_of(text.begin(), text.end(),
+                       [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); });
+}
+
+std::vector<std::string_view> linesOf(std::string_view text)
+{
+    return text.empty() ? std::vector<std::string_view>()
+                        : partsOf(text.substr(0, text.size() - 1), '\n');
+}
+
+} // namespace
+
+TriangleMesh readMeshSandboxed(const std::filesystem::path& file, std::vector<std::string>* remarks,
+                               std::vector<MeshPatch>* patches)
+{
+    const std::string subject = fmt::format("'{}' cannot be read as a mesh", file.string());
+    const ReadResult result =
+        runSandboxed(limitsFor(file), subject,
+                     [&]
+                     {
+                         std::vector<std::string> sentences;
+                         std::vector<MeshPatch> found;
+                         ReadResult read{readMesh(file, &sentences, &found), {}, {}};
+                         for (const std::string& sentence : sentences)
+                         {
+                             read.remarks += sentence + '\n';
+                         }
+                         for (const MeshPatch& patch : found)
+                         {
+                             read.patches +=
+                                 fmt::format("{}\n{}\n", wordOfPatch(patch.name), patch.triangles);
+                         }
+                         return read;
+                     });
+    // What came out of the sandbox is believed no more than the file: a reader that was led astray
+    // may have sent anything.
+    if (!isText(result.remarks) || !isText(result.patches) || findInvalidData(result.mesh))
+    {
+        throw Error(ErrorCode::badData, subject + ": the reader returned an invalid mesh; export "
+                                                  "the mesh again, in another format if need be");
+    }
+    const std::vector<std::string_view> sentences = linesOf(result.remarks);
+    if (remarks != nullptr)
+    {
+        remarks->insert(remarks->end(), sentences.begin(), sentences.end());
+    }
+    const std::vector<std::string_view> found = linesOf(result.patches);
+    for (std::size_t k = 1; patches != nullptr && k < found.size(); k += 2)
+    {
+        patches->push_back(
+            {std::string(found[k - 1]), readNumber<std::size_t>(found[k]).value_or(0)});
+    }
+    return result.mesh;
 }
 
 } // namespace frostfill

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/mesh.hpp>
+
 #include <cstddef>
 #include <functional>
-#include <memory>
 #include <string>
-#include <string_view>
-#include <vector>
 
 namespace frostfill
 {
@@ -18,29 +17,24 @@ struct SandboxLimits
     unsigned seconds = 30;                    ///< of processor time
 };
 
-/// Bytes that nobody has set to anything before.
-struct SandboxedBytes
+/// What a reader returns.
+struct ReadResult
 {
-    std::unique_ptr<char[]> bytes;
-    std::size_t size = 0;
-
-    [[nodiscard]] std::string_view view() const { return {bytes.get(), size}; }
+    TriangleMesh mesh;
+    std::string remarks; ///< a line each
+    std::string patches; ///< by turns a line with a name, and one with a number of triangles
 };
 
-/// What a child process sends one after the other, without a copy. It lies in what outlives `work`,
-/// such as a variable of the caller, which the child has a copy of.
-using SandboxReport = std::vector<std::string_view>;
-
-/// Runs `work` in a child process and returns the bytes that it returns. Whatever happens there, a
-/// crash, an endless loop, memory without end, stays there. The child opens at most a few files at
-/// a time and writes to none, leaves no core, and dies with its parent.
+/// Runs `work` in a child process and returns its result. Whatever happens there, a crash, an
+/// endless loop, memory without end, stays there. The child opens at most a few files at a time and
+/// writes to none, leaves no core, and dies with its parent.
 ///
 /// In a process with several threads, such as Python's, the child could hang: there `work` runs in
 /// this process, without limits.
 ///
 /// Throws Error as `work` throws it, and badData when the child dies or exceeds a limit; `subject`
 /// begins those sentences: "'a.ply' cannot be read".
-[[nodiscard]] SandboxedBytes runSandboxed(const SandboxLimits& limits, const std::string& subject,
-                                          const std::function<SandboxReport()>& work);
+[[nodiscard]] ReadResult runSandboxed(const SandboxLimits& limits, const std::string& subject,
+                                      const std::function<ReadResult()>& work);
 
 } // namespace frostfill

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <type_traits>
 
 namespace frostfill
 {
@@ -52,25 +53,8 @@ std::string fromUtf16(std::string_view bytes, bool bigEndian)
 /// too large.
 bool isTiny(std::string_view digits)
 {
-    const std::size_t mark = std::min(digits.find_first_of("eE"), digits.size());
-    const std::string_view mantissa = digits.substr(0, mark);
-    const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
-    const std::size_t leading = mantissa.find_first_of("123456789");
-    if (leading == std::string_view::npos)
-    {
-        return true;
-    }
-    std::int64_t exponent = 0;
-    std::string_view power = digits.substr(std::min(mark + 1, digits.size()));
-    const bool negative = power.starts_with('-');
-    power.remove_prefix(!power.empty() && (negative || power[0] == '+') ? 1 : 0);
-    if (std::from_chars(power.data(), power.data() + power.size(), exponent).ec ==
-        std::errc::result_out_of_range)
-    {
-        return negative;
-    }
-    const auto shift = static_cast<std::int64_t>(point) - static_cast<std::int64_t>(leading);
-    return (negative ? -exponent : exponent) + shift < 0;
+    return digits.find("e-") != std::string_view::npos ||
+           digits.find("E-") != std::string_view::npos || digits.find_first_of("123456789") > 300;
 }
 
 } // namespace
@@ -226,23 +210,24 @@ std::string_view TextScanner::wordAnywhere()
     return found;
 }
 
-double TextScanner::toNumber(std::string_view word, std::string_view what) const
+template <class Number>
+Number TextScanner::parse(std::string_view word, std::string_view what, std::string_view kind) const
 {
+    if (word.empty())
+    {
+        refuseAt(place(), fmt::format("{} has too few numbers; export the mesh again", what));
+    }
     std::string_view digits = word;
     if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
     {
         digits.remove_prefix(1);
     }
-    double value = 0;
+    Number value = 0;
     const char* end = digits.data() + digits.size();
     const auto [stop, error] = std::from_chars(digits.data(), end, value);
-    if (word.empty())
+    if (std::is_floating_point_v<Number> && error == std::errc::result_out_of_range && stop == end)
     {
-        refuseAt(place(), fmt::format("{} has too few numbers; export the mesh again", what));
-    }
-    if (error == std::errc::result_out_of_range && stop == end)
-    {
-        if (isTiny(digits.substr(digits.starts_with('-') ? 1 : 0)))
+        if (isTiny(digits))
         {
             return 0;
         }
@@ -251,8 +236,14 @@ double TextScanner::toNumber(std::string_view word, std::string_view what) const
     }
     if (error != std::errc() || stop != end)
     {
-        refuseAt(place(), fmt::format("{} is not a number; export the mesh again", quoted(word)));
+        refuseAt(place(), fmt::format("{} is not a {}; export the mesh again", quoted(word), kind));
     }
+    return value;
+}
+
+double TextScanner::toNumber(std::string_view word, std::string_view what) const
+{
+    const auto value = parse<double>(word, what, "number");
     if (!std::isfinite(value))
     {
         refuseAt(place(), fmt::format("{} has a coordinate that is infinite or not a number ({}); "
@@ -264,24 +255,7 @@ double TextScanner::toNumber(std::string_view word, std::string_view what) const
 
 std::int64_t TextScanner::toInteger(std::string_view word, std::string_view what) const
 {
-    std::string_view digits = word;
-    if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
-    {
-        digits.remove_prefix(1);
-    }
-    std::int64_t value = 0;
-    const char* end = digits.data() + digits.size();
-    const auto [stop, error] = std::from_chars(digits.data(), end, value);
-    if (word.empty())
-    {
-        refuseAt(place(), fmt::format("{} has too few numbers; export the mesh again", what));
-    }
-    if (error != std::errc() || stop != end)
-    {
-        refuseAt(place(), fmt::format("{} is not a whole number of its kind; export the mesh again",
-                                      quoted(word)));
-    }
-    return value;
+    return parse<std::int64_t>(word, what, "whole number of its kind");
 }
 
 std::array<double, 3> TextScanner::point(std::string_view what)

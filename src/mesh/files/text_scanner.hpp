@@ -79,6 +79,9 @@ private:
     {
         return kindAt(at) == Kind::backslash && kindAt(at + 1) == Kind::endOfLine;
     }
+    template <class Number>
+    [[nodiscard]] Number parse(std::string_view word, std::string_view what,
+                               std::string_view kind) const;
     void skipBlanks();
     void skipEndOfLine();
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/files/unpack.hpp"
-
-#include "mesh/files/binary_numbers.hpp"
+#include "mesh/files/readers.hpp"
+#include "mesh/files/unreadable.hpp"
 
 #define ZLIB_CONST // next_in points to bytes that stay
 #include <zlib.h>

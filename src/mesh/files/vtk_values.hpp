@@ -10,24 +10,15 @@
 namespace frostfill
 {
 
-/// A type of numbers in files of VTK.
-struct VtkType
-{
-    std::string_view word; ///< in legacy files
-    std::string_view name; ///< in files of XML; empty for none
-    std::size_t size;      ///< [byte]
-    double (*load)(const char*, bool bigEndian);
-};
-
-/// The type of either name. Throws Unreadable.
-[[nodiscard]] const VtkType& vtkType(std::string_view name);
+/// The type of that name in files of VTK. Throws Unreadable.
+[[nodiscard]] const NumberType& vtkType(std::string_view name);
 
 inline constexpr std::uint64_t kAllNumbers = ~std::uint64_t{0};
 
 /// Read numbers as they lie in memory, or take numbers off the front of a text. A double holds all
 /// of them: indices are below 2^32. Throw Unreadable for a word that is no number, or if numbers
 /// are missing.
-[[nodiscard]] std::vector<double> vtkNumbers(std::string_view bytes, const VtkType& type,
+[[nodiscard]] std::vector<double> vtkNumbers(std::string_view bytes, const NumberType& type,
                                              bool bigEndian);
 [[nodiscard]] std::vector<double> vtkNumbers(std::string_view& text, std::uint64_t count);
 

@@ -4,27 +4,32 @@
 #include "mesh/interior/triangle_grid.hpp"
 #include "mesh/interior/winding_columns.hpp"
 
-#include <array>
+#include <cmath>
 #include <limits>
-#include <vector>
 
 namespace frostfill
 {
 
-/// Whether a point is inside a closed surface: where the winding number is above kInsideFrom. Takes
-/// constant time for a surface that does not cross itself: cells without triangles are classified
-/// once, and near the surface the sign of the nearest triangle decides. Near a two-sided triangle
-/// the winding number itself does.
+/// Whether a point is inside a closed surface: where the winding number is above kInsideFrom. Near
+/// the surface the sign of the nearest triangle decides, and takes no longer than its distance.
+/// Elsewhere, and near a two-sided triangle, the winding number itself does.
 class InsideTest
 {
 public:
     /// Both arguments must outlive this object. The frame of the grid encloses the surface with a
     /// margin of at least one cell.
-    InsideTest(const Surface& surface, const TriangleGrid& grid);
+    InsideTest(const Surface& surface, const TriangleGrid& grid)
+        : surface_(&surface), grid_(&grid), winding_(surface.mesh())
+    {
+    }
 
-    [[nodiscard]] bool contains(const Eigen::Vector3d& p) const;
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p) const { return distance(p) > 0; }
     /// The same where the nearest triangle of p's cell is known, which has some.
-    [[nodiscard]] bool contains(const Eigen::Vector3d& p, const SignedDistance& nearest) const;
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p, const SignedDistance& nearest) const
+    {
+        return std::abs(nearest.value) > reach() || isNearTwoSided(p) ? isInsideByWinding(p)
+                                                                      : nearest.value > 0;
+    }
 
     /// The same by the winding number alone, of a point that is not on the surface: right even near
     /// triangles of which some face the wrong way.
@@ -38,30 +43,49 @@ public:
     [[nodiscard]] double distance(const Eigen::Vector3d& p,
                                   double atMost = std::numeric_limits<double>::infinity()) const;
 
-    /// Whether p is outside and in a cell without triangles: a look at a table.
+    /// Whether p is outside and in a cell without triangles.
     [[nodiscard]] bool isFarOutside(const Eigen::Vector3d& p) const
     {
-        const auto [x, y, z] = grid_->frame().coordinates(p);
-        return grid_->cell(x, y, z).empty() && !isCellInside({x, y, z});
+        return grid_->near(p).empty() && !isInsideByWinding(p);
     }
 
-    /// Calls visit(box) for boxes that hold all that is inside or within reach of the surface.
+    /// Calls visit(box) for boxes that hold all that is inside or within reach of the surface:
+    /// bricks of cells with triangles, and those inside. Its cost follows the bricks of one side of
+    /// the box around the object.
     template <class Visit>
     void forEachBoxInReach(Visit&& visit) const
     {
         const BrickTable& near = grid_->cells().bricks();
         for (std::size_t brick = 0; brick < near.size(); ++brick)
         {
-            if (const Eigen::AlignedBox3d box = boxInReach(brick); !box.isEmpty())
-            {
-                visit(box);
-            }
+            visit(boxOf(near.place(brick)));
         }
-        for (std::size_t brick = 0; brick < far_.size(); ++brick)
+        const int along = winding_.along();
+        const int u = (along + 1) % 3;
+        const int v = (along + 2) % 3;
+        GridPlace brick{};
+        for (brick[v] = 0; brick[v] < near.count()[v]; ++brick[v])
         {
-            if (farSide_[brick] == Side::inside)
+            for (brick[u] = 0; brick[u] < near.count()[u]; ++brick[u])
             {
-                visit(boxOf(far_.place(brick)));
+                brick[along] = 0;
+                for (const auto& [low, high] : winding_.stretchesInside(boxOf(brick).center()))
+                {
+                    // Those whose middle is in it: without triangles, all of a brick is inside.
+                    for (; brick[along] < near.count()[along]; ++brick[along])
+                    {
+                        const double middle = boxOf(brick).center()[along];
+                        if (middle >= high)
+                        {
+                            break;
+                        }
+                        if (middle > low &&
+                            near.find(brick[0], brick[1], brick[2]) == BrickTable::kNone)
+                        {
+                            visit(boxOf(brick));
+                        }
+                    }
+                }
             }
         }
     }
@@ -71,21 +95,6 @@ public:
 
 private:
     [[nodiscard]] bool isNearTwoSided(const Eigen::Vector3d& p) const;
-    [[nodiscard]] bool isInsideFarFromSurface(const Eigen::Vector3d& p) const;
-    using Cell = GridPlace;
-    enum class Side : std::uint8_t
-    {
-        unknown,
-        inside,
-        outside
-    };
-    class Flood;
-    [[nodiscard]] bool isCellInside(const Cell& cell) const;
-    /// Of a brick without triangles, by its number in far_; kNone of one that is outside.
-    [[nodiscard]] std::uint32_t farBrick(const Cell& cell) const;
-    [[nodiscard]] Side& sideOfBrick(const GridPlace& brick);
-    /// About the cells of a brick with triangles that are inside or have triangles.
-    [[nodiscard]] Eigen::AlignedBox3d boxInReach(std::size_t brick) const;
     [[nodiscard]] Eigen::AlignedBox3d boxOf(const GridPlace& brick) const
     {
         const GridFrame& frame = grid_->frame();
@@ -98,10 +107,6 @@ private:
     const Surface* surface_;
     const TriangleGrid* grid_;
     WindingColumns winding_;
-    // Sides of what has no triangles: of bricks, and of cells in bricks with triangles.
-    BrickTable far_;               ///< bricks inside, and those beside the surface
-    std::vector<Side> farSide_;    ///< [#far_]
-    std::vector<bool> cellInside_; ///< [#cells of the grid]
 };
 
 } // namespace frostfill

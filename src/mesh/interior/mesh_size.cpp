@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include <frostfill/mesh.hpp>
+#include "mesh/interior/mesh_size.hpp"
 
+#include "mesh/connectivity.hpp"
+#include "mesh/interior/winding_columns.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace frostfill
 {
@@ -51,23 +56,6 @@ namespace
 
 constexpr double kTwoPi = 6.283185307179586;
 
-/// Neumaier's compensated sum, so the rounding of a million terms of either sign does not add up.
-class CarefulSum
-{
-public:
-    void add(double value)
-    {
-        const double sum = sum_ + value;
-        lost_ += std::abs(sum_) >= std::abs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
-        sum_ = sum;
-    }
-    [[nodiscard]] double value() const { return sum_ + lost_; }
-
-private:
-    double sum_ = 0;
-    double lost_ = 0;
-};
-
 /// [4 pi] Signed solid angle of a triangle seen from a point: at most 1/2, and finite everywhere.
 double solidAngle(const TriangleMesh& mesh, std::size_t triangle, const Eigen::Vector3d& point)
 {
@@ -85,12 +73,136 @@ double solidAngle(const TriangleMesh& mesh, std::size_t triangle, const Eigen::V
 
 double windingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& point)
 {
-    CarefulSum sum;
+    double sum = 0;
     for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
     {
-        sum.add(solidAngle(mesh, triangle, point));
+        sum += solidAngle(mesh, triangle, point);
     }
-    return sum.value();
+    return sum;
+}
+
+namespace
+{
+
+using Box = Eigen::AlignedBox3d;
+
+/// A box for each connected piece.
+std::vector<Box> boxesOfPieces(const TriangleMesh& mesh)
+{
+    DisjointSets pieces(mesh.vertices.size());
+    for (const auto& [a, b, c] : mesh.triangles)
+    {
+        pieces.join(a, b);
+        pieces.join(b, c);
+    }
+    std::vector<Box> boxes(mesh.vertices.size());
+    for (const auto& triangle : mesh.triangles)
+    {
+        for (const std::uint32_t corner : triangle)
+        {
+            boxes[pieces.find(corner)].extend(mesh.vertices[corner]);
+        }
+    }
+    std::erase_if(boxes, [](const Box& box) { return box.isEmpty(); });
+    return boxes;
+}
+
+bool areNear(const Box& a, const Box& b, double gap)
+{
+    return (a.min().array() < b.max().array() + gap).all() &&
+           (b.min().array() < a.max().array() + gap).all();
+}
+
+/// Merges boxes that are near each other, along a sweep in x. Returns whether there were any.
+bool mergeNear(std::vector<Box>& boxes, double gap)
+{
+    std::sort(boxes.begin(), boxes.end(),
+              [](const Box& a, const Box& b) { return a.min().x() < b.min().x(); });
+    std::vector<Box> merged;
+    std::vector<std::size_t> open; // boxes of `merged` that may be near those to come
+    bool any = false;
+    for (const Box& box : boxes)
+    {
+        std::erase_if(open,
+                      [&](std::size_t k) { return merged[k].max().x() + gap <= box.min().x(); });
+        const auto near = std::find_if(open.begin(), open.end(),
+                                       [&](std::size_t k) { return areNear(merged[k], box, gap); });
+        if (near != open.end())
+        {
+            merged[*near].extend(box);
+            any = true;
+            continue;
+        }
+        open.push_back(merged.size());
+        merged.push_back(box);
+    }
+    boxes = std::move(merged);
+    return any;
+}
+
+} // namespace
+
+std::vector<Box> separateBoxes(const TriangleMesh& mesh, double gap)
+{
+    std::vector<Box> boxes = boxesOfPieces(mesh);
+    while (mergeNear(boxes, gap)) // a merged box may be near others
+    {
+    }
+    return boxes;
+}
+
+namespace
+{
+
+/// Rays in each direction across them, one a cell of a grid. Larger: a smaller error, and time by
+/// the square.
+constexpr std::size_t kRays = 1024;
+/// Multiples of it fill a line evenly. Rays lie elsewhere in each cell: where a wall is along a row
+/// of cells, the right share of them is inside.
+constexpr double kGoldenRatio = 1.618033988749895;
+
+} // namespace
+
+double interiorVolume(const TriangleMesh& mesh)
+{
+    Threads one(1);
+    return interiorVolume(mesh, one);
+}
+
+// The same sum whatever the number of threads: that of one row of rays after another.
+double interiorVolume(const TriangleMesh& mesh, Threads& threads)
+{
+    const Eigen::AlignedBox3d box = boundingBox(mesh);
+    if (mesh.triangles.empty() || !(box.sizes().minCoeff() > 0))
+    {
+        return 0;
+    }
+    const WindingColumns columns(mesh);
+    const int u = (columns.along() + 1) % 3;
+    const int v = (columns.along() + 2) % 3;
+    std::vector<double> rows(kRays);
+    threads.forEachLarge(kRays,
+                         [&](std::size_t row)
+                         {
+                             const auto share = [](std::size_t cell, std::size_t other)
+                             {
+                                 const double moved = kGoldenRatio * static_cast<double>(other);
+                                 return (static_cast<double>(cell) + moved - std::floor(moved)) /
+                                        kRays;
+                             };
+                             Eigen::Vector3d p = box.min();
+                             for (std::size_t k = 0; k < kRays; ++k)
+                             {
+                                 p[u] = box.min()[u] + share(k, row) * box.sizes()[u];
+                                 p[v] = box.min()[v] + share(row, k) * box.sizes()[v];
+                                 for (const auto& [low, high] : columns.stretchesInside(p))
+                                 {
+                                     rows[row] += high - low;
+                                 }
+                             }
+                         });
+    const double length = std::accumulate(rows.begin(), rows.end(), 0.0);
+    return length / (kRays * kRays) * box.sizes()[u] * box.sizes()[v];
 }
 
 } // namespace frostfill

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "geometry/cell_rows.hpp"
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/surface.hpp"
 

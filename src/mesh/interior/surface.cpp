@@ -54,17 +54,10 @@ TriangleBound boundOf(const std::array<Eigen::Vector3d, 3>& corner)
     return bound;
 }
 
-Surface::Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index,
-                 std::optional<TriangleBvh> tree)
+Surface::Surface(TriangleMesh mesh, const Walls& walls, MeshIndex index)
     : mesh_(std::move(mesh)), triangles_(mesh_.triangles.size()), bounds_(mesh_.triangles.size()),
-      vertexNormals_(mesh_.vertices.size(), Eigen::Vector3d::Zero()), anyTwoSided_(!walls.none())
-{
-    const auto makeTree = [&] { tree_ = tree ? *std::move(tree) : TriangleBvh(mesh_, index.tree); };
-    const auto makeTriangles = [&] { join(walls, index.edges); };
-    index.threads->forEachLarge(2, [&](std::size_t k) { k == 0 ? makeTree() : makeTriangles(); });
-}
-
-void Surface::join(const Walls& walls, const EdgeTable& edges)
+      vertexNormals_(mesh_.vertices.size(), Eigen::Vector3d::Zero()), tree_(std::move(index.tree)),
+      anyTwoSided_(!walls.none())
 {
     for (std::size_t t = 0; t < triangles_.size(); ++t)
     {
@@ -77,7 +70,7 @@ void Surface::join(const Walls& walls, const EdgeTable& edges)
         bounds_[t] = boundOf(triangle.corner);
         triangle.twoSided = anyTwoSided_ && walls.twoSided[t];
     }
-    joinEdges(edges);
+    joinEdges(index.edges);
     joinCorners();
 }
 

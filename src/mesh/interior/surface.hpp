@@ -4,8 +4,6 @@
 #pragma once
 
 #include "geometry/closest_point.hpp"
-#include "mesh/interior/triangle_bound.hpp"
-#include "mesh/interior/triangle_bvh.hpp"
 #include "mesh/interior/walls.hpp"
 
 #include <frostfill/mesh.hpp>
@@ -14,12 +12,58 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace frostfill
 {
+
+/// The plane of a triangle and a disc in it around the triangle, in one cache line, for quick
+/// rejection.
+struct alignas(64) TriangleBound
+{
+    Eigen::Vector3d normal; ///< of the plane, into the object
+    double offset = 0;      ///< normal . x for points x of the plane
+    Eigen::Vector3d centre;
+    double radius = 0;
+
+    /// False only if every point of the triangle is farther than `distance` from p. What a sphere
+    /// that rests on a fine mesh has around it is within its radius of the planes of many triangles
+    /// and of the balls around them, but of the discs of few.
+    [[nodiscard]] bool mayBeWithin(double distance, const Eigen::Vector3d& p) const
+    {
+        const double height = toPlane(p);
+        const double centreSquared = toCentreSquared(p);
+        if (height > distance || !ballIsWithin(distance, centreSquared))
+        {
+            return false;
+        }
+        // Of the disc in which the plane cuts the ball around p; without a root of its radius.
+        const double cutSquared = distance * distance * (1 + kDiscRounding) - height * height;
+        const double rest = centreSquared - height * height - radius * radius - cutSquared;
+        return rest <= 0 || rest * rest <= 4 * radius * radius * cutSquared;
+    }
+    [[nodiscard]] double toPlane(const Eigen::Vector3d& p) const
+    {
+        return std::abs(normal.dot(p) - offset);
+    }
+    [[nodiscard]] double toCentreSquared(const Eigen::Vector3d& p) const
+    {
+        return (p - centre).squaredNorm();
+    }
+    /// Of a point by its distance to the centre.
+    [[nodiscard]] bool ballIsWithin(double distance, double centreSquared) const
+    {
+        const double reach = radius + distance;
+        return centreSquared <= reach * reach;
+    }
+
+private:
+    /// [1] of a squared distance, far above its rounding. Larger: more triangles are tested.
+    static constexpr double kDiscRounding = 1e-8;
+};
+
+[[nodiscard]] TriangleBound boundOf(const std::array<Eigen::Vector3d, 3>& corner);
 
 /// What a contact asks of a triangle once it may be near. What several triangles share, the surface
 /// keeps once.
@@ -51,10 +95,8 @@ public:
     /// `mesh` is closed and wound outwards. It may cross itself.
     explicit Surface(const TriangleMesh& mesh) : Surface(mesh, MeshIndex(mesh)) {}
     Surface(const TriangleMesh& mesh, const Walls& walls) : Surface(mesh, walls, MeshIndex(mesh)) {}
-    /// With the walls and the index known: of this mesh, or of one that differs by a motion and a
-    /// scale. And with the tree of this mesh, if that is known, too.
-    Surface(TriangleMesh mesh, const Walls& walls, const MeshIndex& index,
-            std::optional<TriangleBvh> tree = std::nullopt);
+    /// With the walls and the index known; the tree of the index is that of this mesh.
+    Surface(TriangleMesh mesh, const Walls& walls, MeshIndex index);
 
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
     [[nodiscard]] const SurfaceTriangle& operator[](std::size_t i) const { return triangles_[i]; }
@@ -88,12 +130,12 @@ public:
     }
 
 private:
-    Surface(const TriangleMesh& mesh, const MeshIndex& index)
-        : Surface(mesh, classifyWalls(mesh, index), index)
+    /// Braces, so that the walls are found before the index moves.
+    Surface(const TriangleMesh& mesh, MeshIndex index)
+        : Surface{mesh, classifyWalls(mesh, index), std::move(index)}
     {
     }
 
-    void join(const Walls& walls, const EdgeTable& edges);
     void joinEdges(const EdgeTable& edges);
     void joinCorners();
 

@@ -80,10 +80,10 @@ std::vector<SurfaceSample> spread(const TriangleMesh& mesh, std::size_t count)
 class BallShrinker
 {
 public:
-    /// `surface` must outlive this object.
-    explicit BallShrinker(const NearestPoint& surface)
-        : surface_(surface), largest_(boundingBox(surface.mesh()).sizes().minCoeff() /
-                                      2), // no ball inside is wider than the box
+    /// Both must outlive this object.
+    BallShrinker(const TriangleMesh& mesh, const TriangleBvh& tree)
+        : mesh_(mesh), tree_(tree),
+          largest_(boundingBox(mesh).sizes().minCoeff() / 2), // no ball is wider than the box
           guess_(largest_)
     {
     }
@@ -116,11 +116,12 @@ private:
     [[nodiscard]] std::optional<Eigen::Vector3d> deepestIn(const Eigen::Vector3d& centre,
                                                            double radius) const
     {
-        const auto found = surface_.find(centre, radius * (1 - kDepth));
+        const auto found = nearestPoint(mesh_, tree_, centre, radius * (1 - kDepth));
         return found ? std::optional(found->point) : std::nullopt;
     }
 
-    const NearestPoint& surface_;
+    const TriangleMesh& mesh_;
+    const TriangleBvh& tree_;
     double largest_;
     double guess_; ///< radius of the last ball
 };
@@ -151,17 +152,10 @@ void forEachSide(const TriangleMesh& mesh, std::size_t samples, bool onlyBehind,
 
 } // namespace
 
-std::vector<ThicknessSample> sampleThickness(const TriangleMesh& mesh, std::size_t samples,
-                                             bool onlyBehind)
+std::vector<ThicknessSample> sampleThickness(const TriangleMesh& mesh, const TriangleBvh& tree,
+                                             std::size_t samples, bool onlyBehind)
 {
-    return sampleThickness(NearestPoint(mesh), samples, onlyBehind);
-}
-
-std::vector<ThicknessSample> sampleThickness(const NearestPoint& surface, std::size_t samples,
-                                             bool onlyBehind)
-{
-    const TriangleMesh& mesh = surface.mesh();
-    BallShrinker shrinker(surface);
+    BallShrinker shrinker(mesh, tree);
     std::vector<InscribedBall> balls;
     forEachSide(mesh, samples, onlyBehind,
                 [&](const SurfaceSample& place, const Eigen::Vector3d& inward)

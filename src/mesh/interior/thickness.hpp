@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/nearest_point.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 
 #include <frostfill/mesh.hpp>
 
@@ -23,10 +23,9 @@ struct ThicknessSample
 /// touch the surface from inside [Ma et al. 2012]. `mesh` is closed and may cross itself; where the
 /// interior is on both sides of a wall, both have a sample. Deterministic. Takes
 /// O(samples^2 + #T log #T). `onlyBehind`: the interior is known to be behind every triangle.
+/// `tree`: of the mesh.
 [[nodiscard]] std::vector<ThicknessSample> sampleThickness(const TriangleMesh& mesh,
-                                                           std::size_t samples, bool onlyBehind);
-/// The same of the mesh that `surface` searches.
-[[nodiscard]] std::vector<ThicknessSample> sampleThickness(const NearestPoint& surface,
+                                                           const TriangleBvh& tree,
                                                            std::size_t samples, bool onlyBehind);
 
 } // namespace frostfill

@@ -1,11 +1,94 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/triangle_bvh.hpp"
 
-#include "mesh/interior/triangle_bound.hpp"
+#include "geometry/closest_point.hpp"
+#include "mesh/interior/surface.hpp"
 #include "mesh/triangle_shape.hpp"
+
+#include <utility>
 
 namespace frostfill
 {
+namespace
+{
+
+/// Triangles, below which a part is not shared among threads any more.
+constexpr std::size_t kSmallPart = 1 << 12;
+
+struct Item
+{
+    Eigen::Vector3d centroid;
+    std::uint32_t triangle;
+};
+using Items = std::span<Item>;
+
+/// Splits items at the median centroid along the longest side. Equal centroids are told apart by
+/// their number, so the halves depend on no library.
+std::array<Items, 2> halve(Items items)
+{
+    Eigen::AlignedBox3d box;
+    std::for_each(items.begin(), items.end(), [&](const Item& item) { box.extend(item.centroid); });
+    Eigen::Index axis = 0;
+    box.sizes().maxCoeff(&axis);
+    const std::size_t middle = items.size() / 2;
+    std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle),
+                     items.end(),
+                     [axis](const Item& a, const Item& b)
+                     {
+                         const double one = a.centroid[axis];
+                         const double other = b.centroid[axis];
+                         return one < other || (one == other && a.triangle < b.triangle);
+                     });
+    return {items.first(middle), items.subspan(middle)};
+}
+
+/// Halves again and again, down to leaves, whose triangles ascend. A million take 20 nested calls,
+/// however they lie.
+void sortAll(Items items, std::size_t leafSize)
+{
+    if (items.size() > leafSize)
+    {
+        for (const Items half : halve(items))
+        {
+            sortAll(half, leafSize);
+        }
+        return;
+    }
+    std::sort(items.begin(), items.end(),
+              [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
+}
+
+/// The triangles of a mesh in the order of a balanced binary tree, whose halves are those of the
+/// numbers: level by level, until there is a part for every thread, and some more.
+std::vector<std::uint32_t> orderOf(const TriangleMesh& mesh, std::size_t leafSize, Threads& threads)
+{
+    std::vector<Item> items(mesh.triangles.size());
+    threads.forEach(items.size(),
+                    [&](std::size_t id)
+                    {
+                        const auto [a, b, c] = cornersOf(mesh, id);
+                        items[id] = {(a + b + c) / 3, static_cast<std::uint32_t>(id)};
+                    });
+    std::vector<Items> parts = {items};
+    while (parts.size() < 4 * threads.concurrency() && threads.concurrency() > 1 &&
+           parts[0].size() > kSmallPart)
+    {
+        std::vector<std::array<Items, 2>> halves(parts.size());
+        threads.forEachLarge(parts.size(), [&](std::size_t k) { halves[k] = halve(parts[k]); });
+        parts.clear();
+        for (const auto& [lower, upper] : halves)
+        {
+            parts.insert(parts.end(), {lower, upper});
+        }
+    }
+    threads.forEachLarge(parts.size(), [&](std::size_t k) { sortAll(parts[k], leafSize); });
+    std::vector<std::uint32_t> order(items.size());
+    std::transform(items.begin(), items.end(), order.begin(),
+                   [](const Item& item) { return item.triangle; });
+    return order;
+}
+
+} // namespace
 
 /// Takes every second level of the binary tree, so that the last one has the leaves.
 class TriangleBvh::Builder
@@ -13,36 +96,72 @@ class TriangleBvh::Builder
 public:
     /// Triangles below a child that has a disc. Larger: more time to build. Smaller: more boxes are
     /// looked into near a slanted wall.
-    static constexpr std::uint32_t kMostInDisc = 64;
+    static constexpr std::size_t kMostInDisc = 64;
 
-    Builder(const TriangleMesh& mesh, const TriangleTree& tree, TriangleBvh& bvh)
-        : mesh_(mesh), tree_(tree), bvh_(bvh), boxes_(tree.nodes().size())
+    Builder(const TriangleMesh& mesh, TriangleBvh& bvh) : mesh_(mesh), bvh_(bvh)
     {
-        // What is below a node stands behind it.
-        for (std::size_t node = boxes_.size(); node-- > 0;)
-        {
-            if (!tree.isLeaf(node))
-            {
-                boxes_[node] = boxes_[node + 1].merged(boxes_[second(node)]);
-                continue;
-            }
-            for (const std::uint32_t triangle : tree.triangles(tree.nodes()[node]))
-            {
-                for (const std::uint32_t corner : mesh.triangles[triangle])
-                {
-                    boxes_[node].extend(mesh.vertices[corner]);
-                }
-            }
-        }
-        const double size = boxes_[0].sizes().maxCoeff();
-        bvh_.centre_ = boxes_[0].center();
+        const Eigen::AlignedBox3d box = boundingBox(mesh);
+        const double size = box.sizes().maxCoeff();
+        bvh_.centre_ = box.center();
         bvh_.scale_ = size > 0 ? 1 / size : 1;
+        bvh_.starts_.push_back(0);
+        const auto [nodes, leaves] = countsOf(bvh_.order_, true);
+        bvh_.nodes_.reserve(nodes); // arrays that grow are half empty, and for a while there twice
+        bvh_.leaves_.reserve(leaves);
+        bvh_.starts_.reserve(leaves + 1);
+        build(bvh_.order_, true);
     }
 
-    /// Returns the node's number among those of four.
-    std::uint32_t build(std::size_t node)
+private:
+    using Triangles = std::span<const std::uint32_t>;
+    static bool isLeaf(Triangles triangles) { return triangles.size() <= kInLeaf; }
+
+    /// Calls visit(child) with the triangles of each child of a node.
+    template <class Visit>
+    static void forEachChild(Triangles triangles, bool isRoot, Visit&& visit)
     {
-        const auto number = static_cast<std::uint32_t>(bvh_.nodes_.size());
+        if (isLeaf(triangles))
+        {
+            visit(triangles);
+            return;
+        }
+        std::size_t levels = 0; // down to the first leaf; to others they differ by one at most
+        for (std::size_t size = triangles.size(); size > kInLeaf; size /= 2)
+        {
+            ++levels;
+        }
+        const auto forEachHalf = [](Triangles all, auto&& visitHalf)
+        {
+            visitHalf(all.first(all.size() / 2));
+            visitHalf(all.subspan(all.size() / 2));
+        };
+        const bool oneLevel = isRoot && levels % 2 == 1;
+        forEachHalf(triangles, [&](Triangles half)
+                    { oneLevel || isLeaf(half) ? visit(half) : forEachHalf(half, visit); });
+    }
+
+    struct Counts
+    {
+        std::size_t nodes;
+        std::size_t leaves;
+    };
+    static Counts countsOf(Triangles triangles, bool isRoot)
+    {
+        Counts counts{1, 0};
+        forEachChild(triangles, isRoot,
+                     [&](Triangles child)
+                     {
+                         const Counts below = isLeaf(child) ? Counts{0, 1} : countsOf(child, false);
+                         counts.nodes += below.nodes;
+                         counts.leaves += below.leaves;
+                     });
+        return counts;
+    }
+
+    /// Returns the box around all below the node.
+    Eigen::AlignedBox3d build(Triangles triangles, bool isRoot)
+    {
+        const std::size_t number = bvh_.nodes_.size();
         bvh_.nodes_.emplace_back(); // and its children behind it, which may move it
         Node built{};
         for (std::size_t axis = 0; axis < 3; ++axis)
@@ -51,88 +170,50 @@ public:
             built.high[axis] = Four{} - std::numeric_limits<float>::infinity();
         }
         std::size_t count = 0;
-        const auto take = [&](std::size_t below)
+        Eigen::AlignedBox3d all;
+        const auto take = [&](Triangles below)
         {
-            const Box box = bvh_.around(boxes_[below]);
+            enterDisc(built, count, below);
+            Eigen::AlignedBox3d around;
+            if (isLeaf(below))
+            {
+                built.child[count] = {static_cast<std::uint32_t>(bvh_.leaves_.size()),
+                                      static_cast<std::uint32_t>(below.size())};
+                around = addLeaf(below);
+            }
+            else
+            {
+                built.child[count] = {static_cast<std::uint32_t>(bvh_.nodes_.size()), 0};
+                around = build(below, false);
+            }
+            const Box box = bvh_.around(around);
             for (std::size_t axis = 0; axis < 3; ++axis)
             {
                 built.low[axis][count] = box.low[axis][0];
                 built.high[axis][count] = box.high[axis][0];
             }
-            const TriangleTree::Node& its = tree_.nodes()[below];
-            enterDisc(built, count, its);
-            built.child[count++] = tree_.isLeaf(below) ? Child{addLeaf(its), its.end - its.first}
-                                                       : Child{build(below), 0};
+            all.extend(around);
+            ++count;
         };
-        forEachChild(node, take);
+        forEachChild(triangles, isRoot, take);
         bvh_.nodes_[number] = built;
-        return number;
+        return all;
     }
 
-    /// Room for all that `build` adds: arrays that grow are half empty, and for a while there
-    /// twice.
-    void reserve()
+    /// Leaves come in the order of their triangles. Returns the box around it.
+    Eigen::AlignedBox3d addLeaf(Triangles triangles)
     {
-        const std::size_t leaves = (boxes_.size() + 1) / 2;
-        bvh_.leaves_.reserve(leaves);
-        bvh_.starts_.reserve(leaves + 1);
-        bvh_.nodes_.reserve(nodesFrom(0));
-    }
-
-private:
-    /// Calls `visit` with the nodes of the binary tree that become the children of one.
-    template <typename Visit>
-    void forEachChild(std::size_t node, Visit&& visit) const
-    {
-        if (tree_.isLeaf(node))
-        {
-            visit(node);
-            return;
-        }
-        const bool oneLevel = node == 0 && levels() % 2 == 1;
-        for (const std::size_t half : {node + 1, second(node)})
-        {
-            if (oneLevel || tree_.isLeaf(half))
-            {
-                visit(half);
-                continue;
-            }
-            visit(half + 1);
-            visit(second(half));
-        }
-    }
-
-    /// This one and those below it, of those that `build` makes.
-    [[nodiscard]] std::size_t nodesFrom(std::size_t node) const
-    {
-        std::size_t count = 1;
-        forEachChild(node, [&](std::size_t below)
-                     { count += tree_.isLeaf(below) ? 0 : nodesFrom(below); });
-        return count;
-    }
-
-    /// From the root to the first leaf; to others they differ by one at most.
-    [[nodiscard]] std::size_t levels() const
-    {
-        std::size_t node = 0;
-        while (!tree_.isLeaf(node))
-        {
-            ++node; // its first child
-        }
-        return node;
-    }
-
-    /// Leaves come in the order of their triangles.
-    std::uint32_t addLeaf(const TriangleTree::Node& its)
-    {
+        Eigen::AlignedBox3d box;
         Discs discs{};
-        for (std::size_t k = 0; k < its.end - its.first; ++k)
+        for (std::size_t k = 0; k < triangles.size(); ++k)
         {
-            enter(discs, k, boundOf(cornersOf(mesh_, tree_.order()[its.first + k])));
+            const auto corners = cornersOf(mesh_, triangles[k]);
+            enter(discs, k, boundOf(corners));
+            box.extend(corners[0]).extend(corners[1]).extend(corners[2]);
         }
         bvh_.leaves_.push_back(discs);
-        bvh_.starts_.push_back(its.end);
-        return static_cast<std::uint32_t>(bvh_.leaves_.size() - 1);
+        bvh_.starts_.push_back(bvh_.starts_.back() + static_cast<std::uint32_t>(triangles.size()));
+        return box;
     }
 
     /// Makes a disc the k-th, in the frame of the nodes.
@@ -155,9 +236,9 @@ private:
     }
 
     /// The disc, with its thickness, around all triangles of a node.
-    void enterDisc(Node& built, std::size_t k, const TriangleTree::Node& its) const
+    void enterDisc(Node& built, std::size_t k, std::span<const std::uint32_t> triangles) const
     {
-        if (its.end - its.first > kMostInDisc)
+        if (triangles.size() > kMostInDisc)
         {
             built.discs.radius[k] = static_cast<float>(kFarthest);
             return;
@@ -168,7 +249,7 @@ private:
         disc.centre.setZero();
         const auto forEach = [&](auto&& visit)
         {
-            for (const std::uint32_t triangle : tree_.triangles(its))
+            for (const std::uint32_t triangle : triangles)
             {
                 visit(cornersOf(mesh_, triangle));
             }
@@ -181,7 +262,7 @@ private:
                 disc.centre += (a + b + c) / 3;
             });
         disc.normal.normalize();
-        disc.centre /= its.end - its.first;
+        disc.centre /= static_cast<double>(triangles.size());
         disc.offset = disc.normal.dot(disc.centre);
         double thickness = 0;
         forEach(
@@ -197,33 +278,50 @@ private:
         built.thickness[k] = grown(thickness);
     }
 
-    [[nodiscard]] std::size_t second(std::size_t node) const
-    {
-        return tree_.nodes()[node + 1].skip;
-    }
-
     const TriangleMesh& mesh_;
-    const TriangleTree& tree_;
     TriangleBvh& bvh_;
-    std::vector<Eigen::AlignedBox3d> boxes_; ///< [#nodes of tree_]
 };
 
 TriangleBvh::TriangleBvh(const TriangleMesh& mesh)
-    : TriangleBvh(mesh, TriangleTree(mesh, kSmallLeaf))
 {
+    Threads one(1);
+    *this = TriangleBvh(mesh, one);
 }
 
-TriangleBvh::TriangleBvh(const TriangleMesh& mesh, const TriangleTree& tree)
+TriangleBvh::TriangleBvh(const TriangleMesh& mesh, Threads& threads)
+    : order_(orderOf(mesh, kInLeaf, threads))
 {
-    if (mesh.triangles.empty())
+    if (!order_.empty())
     {
-        return;
+        Builder(mesh, *this);
     }
-    order_.assign(tree.order().begin(), tree.order().end());
-    starts_.push_back(0);
-    Builder builder(mesh, tree, *this);
-    builder.reserve();
-    builder.build(0);
+}
+
+void TriangleBvh::move(const Eigen::Vector3d& origin, double length, const std::array<int, 3>& axis)
+{
+    const auto permute = [&](auto& along)
+    {
+        const auto before = along;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            along[k] = before[static_cast<std::size_t>(axis[k])];
+        }
+    };
+    const auto permuteDiscs = [&](Discs& discs)
+    {
+        permute(discs.normal);
+        permute(discs.centre);
+    };
+    centre_ = (centre_ - origin) / length;
+    permute(centre_);
+    scale_ *= length;
+    for (Node& node : nodes_)
+    {
+        permute(node.low);
+        permute(node.high);
+        permuteDiscs(node.discs);
+    }
+    std::for_each(leaves_.begin(), leaves_.end(), permuteDiscs);
 }
 
 void TriangleBvh::findNear(const Eigen::Vector3d& p, double distance,
@@ -269,6 +367,30 @@ void TriangleBvh::findNodes(const Eigen::Vector3d& p, double distance, Nodes& no
         nodes.insert(nodes.end(), below.begin(),
                      below.begin() + static_cast<std::ptrdiff_t>(count));
     }
+}
+
+std::optional<NearestPoint> nearestPoint(const TriangleMesh& mesh, const TriangleBvh& bvh,
+                                         const Eigen::Vector3d& p, double within)
+{
+    std::optional<NearestPoint> found;
+    double least = within * within;
+    const auto visit = [&](std::span<const std::uint32_t> triangles)
+    {
+        for (const std::uint32_t triangle : triangles)
+        {
+            const auto [a, b, c] = cornersOf(mesh, triangle);
+            const Eigen::Vector3d point = closestPointOnTriangle(p, a, b, c).point;
+            const double square = (point - p).squaredNorm();
+            if (square < least || (found && square == least && triangle < found->triangle))
+            {
+                least = square;
+                found = {point, triangle, std::sqrt(square)};
+            }
+        }
+        return std::sqrt(least);
+    };
+    bvh.forEachNear(Eigen::AlignedBox3d(p), within, visit);
+    return found;
 }
 
 } // namespace frostfill

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/interior/four_discs.hpp"
-#include "mesh/interior/triangle_tree.hpp"
+#include "base/threads.hpp"
 
 #include <frostfill/mesh.hpp>
 
@@ -10,13 +9,118 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace frostfill
 {
+
+/// Four planes, and discs in them, as TriangleBound has them for one triangle, tested at once in
+/// single precision. All lengths are in a frame in which the mesh is as large as 1.
+struct FourDiscs
+{
+    static constexpr unsigned kFour = 4;
+    using Four = float __attribute__((vector_size(4 * kFour))); // registers of all processors
+    /// By which a squared distance may be wrong, twofold. [1]
+    static constexpr double kRounding = 0x1p-20;
+
+    /// A place, four times over, and by how much rounding may be wrong there.
+    struct Point
+    {
+        std::array<Four, 3> at;
+        float rounding;
+    };
+    /// A straight way: its middle, and what it goes to either side of it.
+    struct Way
+    {
+        Point middle;
+        std::array<Four, 3> half;
+        float reach; ///< around the way
+        float ball;  ///< around its middle
+    };
+
+    /// A bit for each disc of that thickness, to either side, set where some of it may be within a
+    /// distance of a point.
+    [[nodiscard]] unsigned mayBeWithin(const Four& thickness, const Point& point,
+                                       float distance) const;
+    /// The same, within the reach of a way.
+    [[nodiscard]] unsigned mayBeOnWay(const Four& thickness, const Way& way) const;
+
+    using Mask = decltype(Four{} < Four{});
+    /// A bit for each that holds.
+    [[nodiscard]] static unsigned bitsOf(const Mask& mask)
+    {
+#if defined(__SSE__)
+        return static_cast<unsigned>(__builtin_ia32_movmskps(std::bit_cast<Four>(mask)));
+#else
+        unsigned bits = 0;
+        for (unsigned k = 0; k < kFour; ++k)
+        {
+            bits |= mask[k] != 0 ? 1U << k : 0U;
+        }
+        return bits;
+#endif
+    }
+    [[nodiscard]] static Four fourTimes(float value)
+    {
+        return Four{} + value;
+    }
+
+    std::array<Four, 3> normal;
+    Four offset;
+    std::array<Four, 3> centre;
+    Four radius;
+};
+
+// The test of TriangleBound, where what is subtracted is made smaller and what is added larger by
+// more than rounding. The distance has been grown by what the place may be wrong.
+inline unsigned FourDiscs::mayBeWithin(const Four& thickness, const Point& point,
+                                       float distance) const
+{
+    constexpr auto kLess = static_cast<float>(1 - kRounding);
+    constexpr Four kNone = {};
+    Four toPlane = -offset;
+    Four toCentre{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        toPlane += normal[axis] * point.at[axis];
+        const Four apart = centre[axis] - point.at[axis];
+        toCentre += apart * apart;
+    }
+    const Four behind = -toPlane;
+    const Four height = toPlane > behind ? toPlane : behind;
+    const Four above = height - (thickness + point.rounding);
+    const Four least = above > kNone ? above : kNone;
+    const Four most = height + point.rounding;
+    // In a plane through the nearest of it, the ball around the point is a disc of this radius.
+    const Four cut = distance * distance - least * least;
+    const Four rest = toCentre * kLess - (most * most + radius * radius + cut);
+    const Mask within =
+        (cut >= kNone) & ((rest <= kNone) | (rest * rest <= 4.0F * radius * radius * cut));
+    return bitsOf(within);
+}
+
+// All of the way is at least as far from a plane as its middle, less what it goes towards it.
+inline unsigned FourDiscs::mayBeOnWay(const Four& thickness, const Way& way) const
+{
+    Four toPlane = -offset;
+    Four across{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        toPlane += normal[axis] * way.middle.at[axis];
+        across += normal[axis] * way.half[axis];
+    }
+    const Four behind = -toPlane;
+    const Four back = -across;
+    const Four height = toPlane > behind ? toPlane : behind;
+    const Mask within = height <= (across > back ? across : back) +
+                                      (thickness + (way.reach + 2 * way.middle.rounding));
+    return bitsOf(within) & mayBeWithin(thickness, way.middle, way.ball);
+}
 
 /// A bounding volume hierarchy of the triangles of a mesh, four children a node [Wald et al. 2008],
 /// four triangles a leaf. Boxes, planes and discs are in single precision, in a frame in which the
@@ -32,16 +136,12 @@ class TriangleBvh
 public:
     TriangleBvh() = default; ///< of no triangles
     explicit TriangleBvh(const TriangleMesh& mesh);
-    /// With the tree that halves its triangles, of leaves of kSmallLeaf: that of this mesh, or of
-    /// one that differs by a motion and a scale.
-    TriangleBvh(const TriangleMesh& mesh, const TriangleTree& tree);
+    /// The same, made by several threads.
+    TriangleBvh(const TriangleMesh& mesh, Threads& threads);
 
-    /// Makes it that of the mesh whose vertices are (v - origin) / length of this one's.
-    void move(const Eigen::Vector3d& origin, double length)
-    {
-        centre_ = (centre_ - origin) / length;
-        scale_ *= length;
-    }
+    /// Makes it that of the mesh whose vertices are (v - origin) / length of this one's, with
+    /// coordinate axis[k] as the k-th.
+    void move(const Eigen::Vector3d& origin, double length, const std::array<int, 3>& axis);
 
     /// Calls `limit = visit(triangles)` with the triangles of each leaf whose box may be within
     /// `limit` of a box, a distance [unit]; what seems nearest first.
@@ -91,9 +191,16 @@ public:
 
     /// All triangles, so that those side by side lie near each other.
     [[nodiscard]] std::span<const std::uint32_t> order() const { return order_; }
+    [[nodiscard]] std::size_t leaves() const { return starts_.empty() ? 0 : starts_.size() - 1; }
+    /// Those of a leaf, as a part of order().
+    [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t leaf) const
+    {
+        return std::span(order_).subspan(starts_[leaf], starts_[leaf + 1] - starts_[leaf]);
+    }
 
 private:
     static constexpr std::size_t kWidth = 4;      // children
+    static constexpr std::size_t kInLeaf = 4;     // triangles at most
     static constexpr std::size_t kDeepest = 128;  // pending children: 3 a level, 2^32 triangles
     static constexpr std::size_t kMostNodes = 16; // of findNodes
     static constexpr std::array<std::uint32_t, 1> kRoot = {0};
@@ -159,10 +266,6 @@ private:
     void traverse(std::span<const std::uint32_t> nodes, const Eigen::AlignedBox3d& box,
                   double limit, Select&& select, Visit&& visit) const;
 
-    [[nodiscard]] std::span<const std::uint32_t> triangles(std::uint32_t leaf) const
-    {
-        return std::span(order_).subspan(starts_[leaf], starts_[leaf + 1] - starts_[leaf]);
-    }
     /// Calls visit(triangle) for those of a leaf whose bit is set.
     template <class Visit>
     void forEachOf(std::uint32_t leaf, unsigned bits, Visit&& visit) const
@@ -332,5 +435,18 @@ void TriangleBvh::forEachTriangleOnWay(std::span<const std::uint32_t> nodes,
     traverse(nodes, Eigen::AlignedBox3d(from.cwiseMin(to), from.cwiseMax(to)), distance, select,
              visitLeaf);
 }
+
+/// A point of a mesh.
+struct NearestPoint
+{
+    Eigen::Vector3d point;
+    std::uint32_t triangle; ///< that has it; the first of several
+    double distance;        ///< [unit]
+};
+/// The point of a mesh with this hierarchy that is nearest to p; empty if none is nearer than
+/// `within`, which may be infinite.
+[[nodiscard]] std::optional<NearestPoint> nearestPoint(const TriangleMesh& mesh,
+                                                       const TriangleBvh& bvh,
+                                                       const Eigen::Vector3d& p, double within);
 
 } // namespace frostfill

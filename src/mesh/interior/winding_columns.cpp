@@ -2,9 +2,11 @@
 #include "mesh/interior/winding_columns.hpp"
 
 #include "geometry/exact_predicates.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace frostfill
 {
@@ -117,6 +119,35 @@ WindingColumns::Sides WindingColumns::sidesOf(const Eigen::Vector3d& p,
 {
     const double step = kBeside * (box_.diagonal().norm() + p.norm());
     return {at(p + step * outward), at(p - step * outward)};
+}
+
+std::vector<WindingColumns::Stretch> WindingColumns::stretchesInside(const Eigen::Vector3d& p) const
+{
+    thread_local std::vector<std::pair<double, int>> walls; // keeps its memory
+    walls.clear();
+    forEachPassage(p,
+                   [&](std::uint32_t triangle, int change)
+                   {
+                       const auto [a, b, c] = cornersOf(*mesh_, triangle);
+                       const auto [u, v] = across_;
+                       const Eigen::Vector3d normal = (b - a).cross(c - a);
+                       const double rise = normal[u] * (p[u] - a[u]) + normal[v] * (p[v] - a[v]);
+                       const auto [low, high] = std::minmax({a[along()], b[along()], c[along()]});
+                       walls.emplace_back(
+                           std::clamp(a[along()] - rise / normal[along()], low, high), change);
+                   });
+    std::sort(walls.begin(), walls.end());
+    std::vector<Stretch> stretches;
+    int winding = 0; // before the next wall
+    for (std::size_t k = 0; k + 1 < walls.size(); ++k)
+    {
+        winding -= walls[k].second;
+        if (winding > 0)
+        {
+            stretches.push_back({walls[k].first, walls[k + 1].first});
+        }
+    }
+    return stretches;
 }
 
 // By how much the winding number is larger before the ray from p passes a triangle than after.

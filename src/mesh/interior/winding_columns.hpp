@@ -39,8 +39,18 @@ public:
 
     /// The axis along which rays go.
     [[nodiscard]] int along() const { return 3 - across_[0] - across_[1]; }
-    /// Calls visit(triangle, change) for each wall that the line through p along that axis passes,
-    /// with what it changes the winding number by from beyond it to before it: 1 or -1.
+
+    /// A part of a line along that axis that is inside.
+    struct Stretch
+    {
+        double low, high;
+    };
+    /// The parts of the line through p, ascending.
+    [[nodiscard]] std::vector<Stretch> stretchesInside(const Eigen::Vector3d& p) const;
+
+private:
+    /// Calls visit(triangle, change) for each wall that the line through p passes, with what it
+    /// changes the winding number by from beyond it to before it: 1 or -1.
     template <class Visit>
     void forEachPassage(const Eigen::Vector3d& p, Visit&& visit) const
     {
@@ -52,8 +62,6 @@ public:
             }
         }
     }
-
-private:
     [[nodiscard]] Eigen::Vector2d flat(const Eigen::Vector3d& p) const
     {
         return {p[across_[0]], p[across_[1]]};

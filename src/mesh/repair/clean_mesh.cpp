@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/clean_mesh.hpp"
+#include "mesh/repair/repair_steps.hpp"
 
-#include "mesh/repair/components.hpp"
-#include "mesh/triangle_shape.hpp"
-
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <map>
 #include <optional>
 
@@ -172,42 +168,35 @@ SingleTriangles withoutDuplicates(const TriangleMesh& mesh)
 /// surface that was written from both sides, and stays.
 void cancelWalls(SingleTriangles& single)
 {
-    struct Piece
+    struct Edges
     {
-        std::size_t left = 0; // triangles that face one way
-        std::size_t bad = 0;  // edges without exactly two triangles
+        std::size_t bad = 0; // edges without exactly two triangles
         std::size_t badWithoutWalls = 0;
     };
     TriangleMesh& mesh = single.mesh;
     const EdgeTable edges(mesh);
-    const std::vector<std::vector<std::uint32_t>> connected = connectedPieces(mesh, edges);
-    std::vector<Piece> pieces(connected.size());
-    std::vector<std::size_t> pieceOf(mesh.triangles.size(), connected.size());
-    for (std::size_t piece = 0; piece < connected.size(); ++piece)
-    {
-        for (const std::uint32_t triangle : connected[piece])
-        {
-            pieceOf[triangle] = piece;
-            pieces[piece].left += single.facesBothWays[triangle] ? 0 : 1;
-        }
-    }
+    const Pieces pieces(mesh, edges);
+    std::vector<Edges> ofPieces(pieces.all.size());
+    const auto isLeft = [&](std::uint32_t triangle) { return !single.facesBothWays[triangle]; };
     edges.forEach(
         [&](std::span<const EdgeUse> uses)
         {
-            Piece& piece = pieces[pieceOf[uses[0].triangle]];
-            const auto left = std::count_if(uses.begin(), uses.end(),
-                                            [&](const EdgeUse& use)
-                                            { return !single.facesBothWays[use.triangle]; });
-            piece.bad += uses.size() != 2 ? 1 : 0;
-            piece.badWithoutWalls += left != 0 && left != 2 ? 1 : 0;
+            Edges& its = ofPieces[pieces.of[uses[0].triangle]];
+            const auto left = std::count_if(
+                uses.begin(), uses.end(), [&](const EdgeUse& use) { return isLeft(use.triangle); });
+            its.bad += uses.size() != 2 ? 1 : 0;
+            its.badWithoutWalls += left != 0 && left != 2 ? 1 : 0;
         });
-    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)
+    for (std::size_t k = 0; k < ofPieces.size(); ++k)
     {
-        const bool isOfPiece = pieceOf[triangle] < pieces.size();
-        const Piece piece = isOfPiece ? pieces[pieceOf[triangle]] : Piece();
-        if (single.facesBothWays[triangle] && piece.left > 0 && piece.badWithoutWalls < piece.bad)
+        const std::vector<std::uint32_t>& triangles = pieces.all[k].triangles;
+        if (ofPieces[k].badWithoutWalls < ofPieces[k].bad &&
+            std::any_of(triangles.begin(), triangles.end(), isLeft))
         {
-            mesh.triangles[triangle] = kGone;
+            for (const std::uint32_t triangle : triangles)
+            {
+                mesh.triangles[triangle] = isLeft(triangle) ? mesh.triangles[triangle] : kGone;
+            }
         }
     }
     eraseGone(mesh);
@@ -292,36 +281,122 @@ std::size_t dropUnusedVertices(TriangleMesh& mesh)
 namespace
 {
 
-// Areas are compared by their squares, fourth powers of lengths, which must not overflow.
-constexpr double kLargestCoordinate = 1e70;
+/// [1] of the surface that may be removed as a part that encloses nothing. Larger: the object
+/// itself goes, and what lies within it is filled.
+constexpr double kMinPart = 1.0 / 3;
+
+using Flags = std::vector<bool>; ///< [#T]
+
+/// Removes the flagged triangles, unless they are too much of the surface.
+std::size_t remove(TriangleMesh& mesh, const Flags& flags)
+{
+    double removed = 0;
+    for (std::size_t i = 0; i < flags.size(); ++i)
+    {
+        removed += flags[i] ? areaOf(mesh, mesh.triangles[i]) : 0;
+    }
+    if (!(removed < kMinPart * surfaceArea(mesh)))
+    {
+        return 0;
+    }
+    return eraseTriangles(mesh, [&](std::uint32_t triangle) { return flags[triangle]; });
+}
+
+/// Triangles that are connected over edges of exactly two.
+DisjointSets findPatches(const TriangleMesh& mesh, const EdgeTable& edges)
+{
+    DisjointSets patches(mesh.triangles.size());
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            if (uses.size() == 2)
+            {
+                patches.join(uses[0].triangle, uses[1].triangle);
+            }
+        });
+    return patches;
+}
+
+/// Which patches end in the open and hang on an edge of more than two.
+Flags hangingPatches(const EdgeTable& edges, DisjointSets& patches, std::size_t count)
+{
+    Flags open(count, false);
+    Flags hangs(count, false);
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            for (const EdgeUse& use : uses)
+            {
+                if (uses.size() != 2)
+                {
+                    (uses.size() == 1 ? open : hangs)[patches.find(use.triangle)] = true;
+                }
+            }
+        });
+    std::transform(open.begin(), open.end(), hangs.begin(), hangs.begin(),
+                   [](bool a, bool b) { return a && b; });
+    return hangs;
+}
+
+/// Takes back patches without which an edge is left with an odd number of triangles. Returns
+/// whether there were any.
+bool keepWhatCloses(const EdgeTable& edges, DisjointSets& patches, Flags& fins)
+{
+    bool changed = false;
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            const auto isLeft = [&](const EdgeUse& use)
+            { return !fins[patches.find(use.triangle)]; };
+            if (uses.size() <= 2 || std::count_if(uses.begin(), uses.end(), isLeft) % 2 == 0)
+            {
+                return;
+            }
+            for (const EdgeUse& use : uses)
+            {
+                changed = changed || !isLeft(use);
+                fins[patches.find(use.triangle)] = false;
+            }
+        });
+    return changed;
+}
 
 } // namespace
 
-std::optional<std::string> findInvalidData(const TriangleMesh& mesh)
+std::size_t dropSheets(TriangleMesh& mesh)
 {
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    const Pieces pieces(mesh, EdgeTable(mesh));
+    const auto isSheet = [](const Piece& piece) { return piece.isSheet(); };
+    return std::all_of(pieces.all.begin(), pieces.all.end(), isSheet) ? 0
+                                                                      : pieces.erase(mesh, isSheet);
+}
+
+std::size_t dropFins(TriangleMesh& mesh)
+{
+    const EdgeTable edges(mesh);
+    DisjointSets patches = findPatches(mesh, edges);
+    Flags fins = hangingPatches(edges, patches, mesh.triangles.size());
+    while (keepWhatCloses(edges, patches, fins))
     {
-        if (!mesh.vertices[i].allFinite())
-        {
-            return fmt::format("vertex {} is infinite or not a number", i + 1);
-        }
-        if (mesh.vertices[i].cwiseAbs().maxCoeff() > kLargestCoordinate)
-        {
-            return fmt::format("vertex {} has a coordinate beyond {:g}", i + 1, kLargestCoordinate);
-        }
     }
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    Flags flags(mesh.triangles.size(), false);
+    for (std::uint32_t i = 0; i < flags.size(); ++i)
     {
-        for (const std::uint32_t corner : mesh.triangles[i])
-        {
-            if (corner >= mesh.vertices.size())
-            {
-                return fmt::format("triangle {} refers to vertex {} of {}", i + 1, corner + 1,
-                                   mesh.vertices.size());
-            }
-        }
+        flags[i] = fins[patches.find(i)];
     }
-    return std::nullopt;
+    return remove(mesh, flags);
+}
+
+std::size_t dropOpenPieces(TriangleMesh& mesh)
+{
+    const Pieces pieces(mesh, EdgeTable(mesh));
+    Flags flags(mesh.triangles.size(), false);
+    for (const Piece& piece : pieces.all)
+    {
+        std::for_each(piece.triangles.begin(), piece.triangles.end(),
+                      [&](auto triangle) { flags[triangle] = piece.openEdges > 0; });
+    }
+    return remove(mesh, flags);
 }
 
 } // namespace frostfill

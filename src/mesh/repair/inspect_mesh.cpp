@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/interior_volume.hpp"
-#include "mesh/repair/components.hpp"
-#include "mesh/repair/inspect_interior.hpp"
-#include "mesh/triangle_shape.hpp"
+#include "mesh/interior/mesh_size.hpp"
+#include "mesh/repair/repair_steps.hpp"
+
+#include <fmt/format.h>
 
 #include <optional>
 
@@ -75,6 +75,22 @@ void inspectEdges(MeshReport& report, const TriangleMesh& mesh, const EdgeTable&
             }
         });
     report.firstDefect = firstDefect.value_or(Eigen::Vector3d::Zero());
+}
+
+/// Joins the corners (3 x triangle + corner) of two triangles that meet along an edge. Returns how
+/// many of the two pairs were apart.
+std::size_t joinCorners(DisjointSets& corners, const TriangleMesh& mesh, const EdgeUse& a,
+                        const EdgeUse& b)
+{
+    const auto cornerAt = [&](const EdgeUse& use, std::uint32_t vertex)
+    {
+        const std::size_t next = (use.corner + 1U) % 3U;
+        const bool starts = mesh.triangles[use.triangle][use.corner] == vertex;
+        return 3 * std::size_t{use.triangle} + (starts ? use.corner : next);
+    };
+    const bool low = corners.join(cornerAt(a, a.low), cornerAt(b, a.low));
+    const bool high = corners.join(cornerAt(a, a.high), cornerAt(b, a.high));
+    return (low ? 1U : 0U) + (high ? 1U : 0U);
 }
 
 /// Pieces that edges connect, and the genus by Euler's formula over all of them. A vertex where
@@ -153,6 +169,41 @@ MeshReport inspectInterior(const TriangleMesh& mesh)
     const MeshIndex index(mesh);
     return inspectInterior(mesh, inspectMesh(mesh, index.edges), classifyWalls(mesh, index),
                            *index.threads);
+}
+
+namespace
+{
+
+// Areas are compared by their squares, fourth powers of lengths, which must not overflow.
+constexpr double kLargestCoordinate = 1e70;
+
+} // namespace
+
+std::optional<std::string> findInvalidData(const TriangleMesh& mesh)
+{
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+    {
+        if (!mesh.vertices[i].allFinite())
+        {
+            return fmt::format("vertex {} is infinite or not a number", i + 1);
+        }
+        if (mesh.vertices[i].cwiseAbs().maxCoeff() > kLargestCoordinate)
+        {
+            return fmt::format("vertex {} has a coordinate beyond {:g}", i + 1, kLargestCoordinate);
+        }
+    }
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    {
+        for (const std::uint32_t corner : mesh.triangles[i])
+        {
+            if (corner >= mesh.vertices.size())
+            {
+                return fmt::format("triangle {} refers to vertex {} of {}", i + 1, corner + 1,
+                                   mesh.vertices.size());
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace frostfill

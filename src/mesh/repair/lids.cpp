@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/lids.hpp"
-
 #include "mesh/polygon_cutter.hpp"
-#include "mesh/repair/clean_mesh.hpp"
-#include "mesh/repair/components.hpp"
-#include "mesh/repair/loose_parts.hpp"
-#include "mesh/repair/orient_mesh.hpp"
+#include "mesh/repair/repair_steps.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
@@ -181,46 +177,50 @@ std::vector<Triangle> clippedLid(const TriangleMesh& mesh, const EdgeTable& edge
     return isCut && std::all_of(lid.begin(), lid.end(), fits) ? lid : std::vector<Triangle>{};
 }
 
+namespace
+{
+
+/// Empty if there is none, or if the rim is too long.
+std::vector<Triangle> leastLid(const TriangleMesh& mesh, const EdgeTable& edges, const Rim& rim)
+{
+    return rim.size() <= kMaxEdgesOfLeastLid ? LeastLid(mesh, edges, rim).triangles()
+                                             : std::vector<Triangle>();
+}
+
+/// A lid over any rim, in the direction of the rim: of least area if the rim is short; else the
+/// rim's picture in a plane cut into triangles; else a fan about the middle, which adds a vertex.
+/// It may cross the mesh, and the fan itself: the windings cancel at every edge all the same.
 std::vector<Triangle> lidOver(TriangleMesh& mesh, const EdgeTable& edges, const Rim& rim)
 {
-    std::vector<Triangle> lid;
-    if (rim.size() <= kMaxEdgesOfLeastLid)
-    {
-        lid = LeastLid(mesh, edges, rim).triangles();
-    }
-    if (lid.empty())
-    {
-        lid = clippedLid(mesh, edges, rim);
-    }
+    std::vector<Triangle> lid = leastLid(mesh, edges, rim);
+    lid = lid.empty() ? clippedLid(mesh, edges, rim) : lid;
     return lid.empty() ? fanLid(mesh, rim) : lid;
 }
+
+} // namespace
 
 std::vector<Hole> closeHoles(TriangleMesh& mesh)
 {
     const EdgeTable edges(mesh);
     const double surface = surfaceArea(mesh);
+    const Pieces pieces(mesh, edges);
     std::vector<Hole> holes;
     std::vector<Triangle> lids;
-    const std::vector<Rim> rims = findRims(edges);
-    const Sheets sheets(mesh, edges, rims);
-    for (const Rim& rim : rims)
+    for (const Rim& rim : findRims(edges))
     {
+        const std::vector<Triangle> lid = leastLid(mesh, edges, rim);
         Hole hole;
-        hole.ofSheet = sheets.has(edges.find(rim[0], rim[1])[0].triangle);
+        hole.ofSheet = pieces.all[pieces.of[edges.find(rim[0], rim[1])[0].triangle]].isSheet();
         hole.edges = rim.size();
         hole.middle = middleOf(mesh, rim);
-        if (rim.size() <= kMaxEdgesOfLeastLid)
+        for (const Triangle& t : lid)
         {
-            const std::vector<Triangle> lid = LeastLid(mesh, edges, rim).triangles();
-            for (const Triangle& t : lid)
-            {
-                hole.share += areaOf(mesh, t) / surface;
-            }
-            hole.closed = !lid.empty() && !hole.ofSheet && hole.share <= kLargestShare;
-            if (hole.closed)
-            {
-                lids.insert(lids.end(), lid.begin(), lid.end());
-            }
+            hole.share += areaOf(mesh, t) / surface;
+        }
+        hole.closed = !lid.empty() && !hole.ofSheet && hole.share <= kLargestShare;
+        if (hole.closed)
+        {
+            lids.insert(lids.end(), lid.begin(), lid.end());
         }
         holes.push_back(hole);
     }
@@ -238,9 +238,7 @@ struct OpenPatch
     NextVertices rims; ///< edges of its lids
     std::vector<Triangle> lids;
     std::vector<LidReport> reports;
-    bool touchesOthers = false; ///< at an edge that does not cancel
-    bool hasFreeEdge = false;   ///< an edge of no other triangle
-    double volume = 0;          ///< [unit^3] signed, with lids
+    bool hasFreeEdge = false; ///< an edge of no other triangle
     bool isSheet = false;
 };
 
@@ -304,7 +302,6 @@ private:
                 all[number].rims.emplace(from, to);
             }
             OpenPatch& patch = all[number];
-            patch.touchesOthers = patch.touchesOthers || uses.size() > 1;
             patch.hasFreeEdge = patch.hasFreeEdge || uses.size() == 1;
         }
     }
@@ -352,8 +349,7 @@ void measure(OpenPatch& patch, const TriangleMesh& mesh)
     {
         size.add(mesh, t, origin);
     }
-    patch.volume = size.volume;
-    patch.isSheet = !patch.lids.empty() && isEnvelope(size.volume, size.area, size.box);
+    patch.isSheet = !patch.lids.empty() && size.isEnvelope();
 }
 
 std::vector<OpenPatch> patchesWithLids(TriangleMesh& mesh)
@@ -396,25 +392,6 @@ std::vector<Triangle> takeSheets(TriangleMesh& mesh, const std::vector<OpenPatch
     return walls;
 }
 
-/// Turns a patch that is wound against those that it touches: which way it is wound says nothing
-/// where it meets others at an edge that does not cancel.
-bool turnIfInverted(TriangleMesh& mesh, OpenPatch& patch)
-{
-    if (!patch.touchesOthers || patch.lids.empty() || patch.volume >= 0)
-    {
-        return false;
-    }
-    for (const std::uint32_t triangle : patch.triangles)
-    {
-        std::swap(mesh.triangles[triangle][1], mesh.triangles[triangle][2]);
-    }
-    for (Triangle& t : patch.lids)
-    {
-        std::swap(t[1], t[2]);
-    }
-    return true;
-}
-
 } // namespace
 
 ClosedOpenings closeOpenings(TriangleMesh& mesh)
@@ -440,9 +417,8 @@ ClosedOpenings closeOpenings(TriangleMesh& mesh)
         whole.vertices.resize(mesh.vertices.size());
         patches = patchesWithLids(whole);
     }
-    for (OpenPatch& patch : patches)
+    for (const OpenPatch& patch : patches)
     {
-        closed.turnedPatches += turnIfInverted(whole, patch) ? 1 : 0;
         closed.lids.insert(closed.lids.end(), patch.reports.begin(), patch.reports.end());
     }
     for (const Triangle& t : walls)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/repair/patches.hpp"
 
-#include "mesh/interior/nearest_point.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 #include "mesh/triangle_shape.hpp"
 
 #include <algorithm>
@@ -51,14 +51,15 @@ void findPatchesAgain(LoadedMesh& loaded, const TriangleMesh& read,
         loaded.patches.clear();
         return;
     }
-    const NearestPoint nearest(read);
+    const TriangleBvh tree(read);
     std::vector<std::vector<Triangle>> sorted(loaded.patches.size());
     std::vector<Triangle>& triangles = loaded.mesh.triangles;
     const std::size_t walls = triangles.size() - loaded.lidTriangles;
     for (std::size_t t = 0; t < walls; ++t)
     {
         const auto [a, b, c] = cornersOf(loaded.mesh, t);
-        const auto place = nearest.find((a + b + c) / 3, std::numeric_limits<double>::infinity());
+        const auto place =
+            nearestPoint(read, tree, (a + b + c) / 3, std::numeric_limits<double>::infinity());
         sorted[place ? patchOf[place->triangle] : 0].push_back(triangles[t]);
     }
     auto to = triangles.begin();

@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/edge_table.hpp"
-#include "mesh/interior/interior_volume.hpp"
-#include "mesh/interior/walls.hpp"
-#include "mesh/repair/cavity.hpp"
-#include "mesh/repair/clean_mesh.hpp"
-#include "mesh/repair/lids.hpp"
-#include "mesh/repair/loose_parts.hpp"
-#include "mesh/repair/orient_mesh.hpp"
-#include "mesh/repair/stitch_seams.hpp"
+#include "mesh/interior/mesh_size.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "mesh/skin/wrap_program.hpp"
-#include "mesh/triangle_shape.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>
@@ -155,37 +147,13 @@ void refuseNonsense(const TriangleMesh& mesh, std::string_view name)
     }
 }
 
-void cleanTriangles(TriangleMesh& mesh, std::vector<std::string>& repairs)
+/// Adds a sentence about triangles, unless there are none.
+void tell(std::vector<std::string>& repairs, std::string_view verb, std::size_t count,
+          std::string_view what, std::string_view noun = "triangle")
 {
-    if (const std::size_t count = dropFlatTriangles(mesh))
+    if (count > 0)
     {
-        repairs.push_back("removed " + counted(count, "triangle") + " without area");
-    }
-    if (const std::size_t count = dropDuplicateTriangles(mesh))
-    {
-        repairs.push_back("removed " + counted(count, "duplicate triangle"));
-    }
-}
-
-void straightenWinding(TriangleMesh& mesh, std::vector<std::string>& repairs)
-{
-    std::size_t turned = makeWindingConsistent(mesh);
-    turned += alternateWindings(mesh);
-    if (const std::size_t count = separateTouchingEdges(mesh))
-    {
-        turned += makeWindingConsistent(mesh);
-        repairs.push_back("separated the surface along " + counted(count, "edge") +
-                          " where it touched itself");
-    }
-    if (turned > 0)
-    {
-        repairs.push_back("turned " + counted(turned, "triangle") +
-                          " to agree with the neighbours");
-    }
-    if (const std::size_t count = cutWhereOneSided(mesh))
-    {
-        repairs.push_back("removed " + counted(count, "triangle") +
-                          " where the surface passes from one side to the other");
+        repairs.push_back(fmt::format("{} {}{}", verb, counted(count, noun), what));
     }
 }
 
@@ -206,10 +174,7 @@ Hole closeAndReport(TriangleMesh& mesh, std::vector<std::string>& repairs)
                 fmt::format("closed a hole of {} edges near {}", hole.edges, place(hole.middle)));
         }
     }
-    if (closed > kMaxHolesListed)
-    {
-        repairs.push_back(fmt::format("closed {} more", counted(closed - kMaxHolesListed, "hole")));
-    }
+    tell(repairs, "closed", closed - std::min(closed, kMaxHolesListed), " more", "hole");
     return largestLeft;
 }
 
@@ -230,22 +195,8 @@ void lidAndReport(TriangleMesh& mesh, LoadedMesh& result)
             result.opening = isInwards ? -lid.normal : lid.normal;
         }
     }
-    if (closed.sheetTriangles > 0)
-    {
-        repairs.push_back("removed " + counted(closed.sheetTriangles, "triangle") +
-                          " of open patches that enclose nothing");
-    }
-    if (closed.walls > 0)
-    {
-        repairs.push_back("doubled " + counted(closed.walls, "triangle") + " of walls within");
-    }
-    if (closed.turnedPatches > 0)
-    {
-        repairs.push_back(
-            fmt::format("turned {} wound against the rest",
-                        counted(closed.turnedPatches, "patch") +
-                            (closed.turnedPatches == 1 ? " that was" : "es that were")));
-    }
+    tell(repairs, "removed", closed.sheetTriangles, " of open patches that enclose nothing");
+    tell(repairs, "doubled", closed.walls, " of walls within");
     for (std::size_t i = 0; i < std::min(closed.lids.size(), kMaxHolesListed); ++i)
     {
         const LidReport& lid = closed.lids[i];
@@ -254,11 +205,8 @@ void lidAndReport(TriangleMesh& mesh, LoadedMesh& result)
                                       lid.edges, place(lid.middle), lid.area,
                                       100 * lid.area / surface));
     }
-    if (closed.lids.size() > kMaxHolesListed)
-    {
-        repairs.push_back(fmt::format("put lids on {} more",
-                                      counted(closed.lids.size() - kMaxHolesListed, "opening")));
-    }
+    const std::size_t listed = std::min(closed.lids.size(), kMaxHolesListed);
+    tell(repairs, "put lids on", closed.lids.size() - listed, " more", "opening");
 }
 
 /// Why a mesh as it is now cannot be filled, and what to do with a mesh editor; empty if nothing
@@ -334,36 +282,27 @@ Hole mend(TriangleMesh& mesh, bool isOpen, bool lid, std::string_view name, Load
     std::vector<std::string>& repairs = result.repairs;
     if (isOpen)
     {
-        for (std::string& repair : stitchSeams(mesh))
-        {
-            repairs.push_back(std::move(repair));
-        }
+        const std::vector<std::string> stitches = stitchSeams(mesh);
+        repairs.insert(repairs.end(), stitches.begin(), stitches.end());
     }
-    cleanTriangles(mesh, repairs);
-    if (const std::size_t count = isOpen ? dropFins(mesh) : 0)
-    {
-        repairs.push_back("removed " + counted(count, "triangle") +
-                          " of fins that hang on the surface and enclose nothing");
-    }
+    tell(repairs, "removed", dropFlatTriangles(mesh), " without area");
+    tell(repairs, "removed", dropDuplicateTriangles(mesh), "", "duplicate triangle");
+    tell(repairs, "removed", isOpen ? dropFins(mesh) : 0,
+         " of fins that hang on the surface and enclose nothing");
     if (mesh.triangles.empty())
     {
         refuse(name, "none of its triangles has an area");
     }
-    straightenWinding(mesh, repairs);
-    if (const std::size_t count = dropSheets(mesh))
-    {
-        repairs.push_back("removed " + counted(count, "triangle") +
-                          " of open sheets that enclose nothing");
-    }
+    tell(repairs, "turned", makeWindingConsistent(mesh), " to agree with the neighbours");
+    tell(repairs, "removed", dropSheets(mesh), " of open sheets that enclose nothing");
     const Hole largestLeft = closeAndReport(mesh, repairs);
     if (lid)
     {
         lidAndReport(mesh, result);
     }
-    else if (const std::size_t count = largestLeft.edges > 0 ? dropOpenPieces(mesh) : 0)
+    else if (largestLeft.edges > 0)
     {
-        repairs.push_back("removed " + counted(count, "triangle") +
-                          " of open pieces beside the closed ones");
+        tell(repairs, "removed", dropOpenPieces(mesh), " of open pieces beside the closed ones");
     }
     if (const std::size_t count = dropUnusedVertices(mesh))
     {

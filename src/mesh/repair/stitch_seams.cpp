@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/stitch_seams.hpp"
-
 #include "mesh/interior/triangle_bvh.hpp"
-#include "mesh/repair/components.hpp"
-#include "mesh/triangle_shape.hpp"
+#include "mesh/repair/repair_steps.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <optional>
-#include <unordered_map>
 
 namespace frostfill
 {
@@ -27,7 +22,15 @@ constexpr std::size_t kSplitsAtLeast = 1000;
 /// The vertices of rims, each as a triangle with no other corner.
 TriangleMesh verticesOfRims(const TriangleMesh& mesh, const EdgeTable& edges)
 {
-    const std::vector<bool> onRim = verticesOnRims(mesh, edges);
+    std::vector<bool> onRim(mesh.vertices.size(), false);
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            if (uses.size() == 1)
+            {
+                onRim[uses[0].low] = onRim[uses[0].high] = true;
+            }
+        });
     TriangleMesh points{mesh.vertices, {}};
     for (std::uint32_t vertex = 0; vertex < onRim.size(); ++vertex)
     {
@@ -37,6 +40,39 @@ TriangleMesh verticesOfRims(const TriangleMesh& mesh, const EdgeTable& edges)
         }
     }
     return points;
+}
+
+/// Merges vertices on the rims of holes that are closer than `distance`. Returns the number of
+/// removed vertices.
+std::size_t weldRims(TriangleMesh& mesh, double distance)
+{
+    const TriangleMesh rims = verticesOfRims(mesh, EdgeTable(mesh));
+    const TriangleBvh tree(rims);
+    DisjointSets sets(mesh.vertices.size());
+    std::size_t gone = 0;
+    for (const auto& [vertex, same, again] : rims.triangles)
+    {
+        const Eigen::Vector3d& p = mesh.vertices[vertex];
+        const auto joinNear = [&, one = vertex](std::span<const std::uint32_t> points)
+        {
+            for (const std::uint32_t point : points)
+            {
+                const std::uint32_t other = rims.triangles[point][0];
+                const bool isNear = (mesh.vertices[other] - p).norm() <= distance;
+                gone += isNear && sets.join(other, one) ? 1 : 0;
+            }
+            return distance;
+        };
+        tree.forEachNear(Eigen::AlignedBox3d(p), distance, joinNear);
+    }
+    for (auto& triangle : mesh.triangles)
+    {
+        for (std::uint32_t& corner : triangle)
+        {
+            corner = static_cast<std::uint32_t>(sets.find(corner));
+        }
+    }
+    return gone;
 }
 
 /// Vertices on the inner part of a side, in its direction.
@@ -139,32 +175,6 @@ std::size_t countCollapsed(const TriangleMesh& mesh)
         std::count_if(mesh.triangles.begin(), mesh.triangles.end(), repeatsCorner));
 }
 
-std::string sayJoined(std::size_t count, double share)
-{
-    return fmt::format("joined {} vert{} along open seams to others closer than {:g} of the "
-                       "object's size",
-                       count, count == 1 ? "ex" : "ices", share);
-}
-
-std::string saySplit(std::size_t count)
-{
-    return fmt::format("split open edges at {} vert{} of their neighbours that lay on them", count,
-                       count == 1 ? "ex" : "ices");
-}
-
-/// Keeps a repaired copy and its sentence if it has fewer bad edges.
-void keepIfBetter(TriangleMesh& mesh, Openness& now, TriangleMesh&& repaired, std::string sentence,
-                  std::vector<std::string>& repairs)
-{
-    const Openness then = opennessOf(repaired);
-    if (then.bad < now.bad)
-    {
-        mesh = std::move(repaired);
-        now = then;
-        repairs.push_back(std::move(sentence));
-    }
-}
-
 } // namespace
 
 std::size_t splitAtTJunctions(TriangleMesh& mesh, double distance)
@@ -197,45 +207,44 @@ std::vector<std::string> stitchSeams(TriangleMesh& mesh)
     std::vector<std::string> repairs;
     const double size = boundingBox(mesh).diagonal().norm();
     Openness now = opennessOf(mesh);
+    const auto keepIfBetter = [&](TriangleMesh&& stitched, double share, std::size_t joined,
+                                  std::size_t split, bool mustClose)
     {
-        TriangleMesh welded = mesh;
-        const std::size_t count = weldRims(welded, kSeamDistances[0] * size);
-        if (count > 0)
+        const Openness then = opennessOf(stitched);
+        if (then.bad >= now.bad || (mustClose && then.open > 0))
         {
-            keepIfBetter(mesh, now, std::move(welded), sayJoined(count, kSeamDistances[0]),
-                         repairs);
+            return;
         }
-    }
-    if (now.open > 0)
-    {
-        TriangleMesh split = mesh;
-        const std::size_t count = splitAtTJunctions(split, kSeamDistances[0] * size);
-        if (count > 0)
+        mesh = std::move(stitched);
+        now = then;
+        if (joined > 0)
         {
-            keepIfBetter(mesh, now, std::move(split), saySplit(count), repairs);
+            repairs.push_back(fmt::format("joined {} vert{} along open seams to others closer than "
+                                          "{:g} of the object's size",
+                                          joined, joined == 1 ? "ex" : "ices", share));
         }
-    }
+        if (split > 0)
+        {
+            repairs.push_back(
+                fmt::format("split open edges at {} vert{} of their neighbours that lay on them",
+                            split, split == 1 ? "ex" : "ices"));
+        }
+    };
+    TriangleMesh welded = mesh;
+    const std::size_t joined = weldRims(welded, kSeamDistances[0] * size);
+    keepIfBetter(std::move(welded), kSeamDistances[0], joined, 0, false);
+    TriangleMesh split = mesh;
+    const std::size_t splits = splitAtTJunctions(split, kSeamDistances[0] * size);
+    keepIfBetter(std::move(split), kSeamDistances[0], 0, splits, false);
     for (std::size_t i = 1; i < kSeamDistances.size() && now.open > 0; ++i)
     {
         TriangleMesh wide = mesh;
-        const std::size_t joined = weldRims(wide, kSeamDistances[i] * size);
+        const std::size_t wideJoined = weldRims(wide, kSeamDistances[i] * size);
         // Small triangles beside a wide seam must not vanish in it.
-        if (joined == 0 || countCollapsed(wide) > countCollapsed(mesh))
+        if (wideJoined > 0 && countCollapsed(wide) <= countCollapsed(mesh))
         {
-            continue;
-        }
-        const std::size_t split = splitAtTJunctions(wide, kSeamDistances[i] * size);
-        const Openness then = opennessOf(wide);
-        if (then.open > 0 || then.bad >= now.bad)
-        {
-            continue;
-        }
-        mesh = std::move(wide);
-        now = then;
-        repairs.push_back(sayJoined(joined, kSeamDistances[i]));
-        if (split > 0)
-        {
-            repairs.push_back(saySplit(split));
+            const std::size_t wideSplits = splitAtTJunctions(wide, kSeamDistances[i] * size);
+            keepIfBetter(std::move(wide), kSeamDistances[i], wideJoined, wideSplits, true);
         }
     }
     return repairs;
@@ -244,31 +253,16 @@ std::vector<std::string> stitchSeams(TriangleMesh& mesh)
 namespace
 {
 
-using Cell = std::array<std::int64_t, 3>;
-
-struct CellHash
+/// Of the bits of a position; +0 and -0 are equal.
+std::uint64_t hashOf(const Eigen::Vector3d& position)
 {
-    std::size_t operator()(const Cell& cell) const
+    std::uint64_t hash = 0;
+    for (const double coordinate : position)
     {
-        std::uint64_t hash = 0;
-        for (const std::int64_t value : cell)
-        {
-            hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
-            hash ^= hash >> 29;
-        }
-        return hash;
+        hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9e3779b97f4a7c15U;
+        hash ^= hash >> 29;
     }
-};
-
-/// The bits of a position; +0 and -0 are equal.
-Cell bitsOf(const Eigen::Vector3d& position)
-{
-    Cell bits;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-        bits[axis] = std::bit_cast<std::int64_t>(position[static_cast<int>(axis)] + 0.0);
-    }
-    return bits;
+    return hash;
 }
 
 } // namespace
@@ -284,7 +278,7 @@ void weldEqualVertices(TriangleMesh& mesh)
     std::uint32_t kept = 0;
     for (const Eigen::Vector3d& vertex : mesh.vertices)
     {
-        std::size_t slot = CellHash()(bitsOf(vertex)) & mask;
+        std::size_t slot = hashOf(vertex) & mask;
         while (table[slot] != kFree && mesh.vertices[table[slot]] != vertex)
         {
             slot = (slot + 1) & mask;
@@ -304,76 +298,6 @@ void weldEqualVertices(TriangleMesh& mesh)
             corner = place[corner];
         }
     }
-}
-
-std::vector<bool> verticesOnRims(const TriangleMesh& mesh, const EdgeTable& edges)
-{
-    std::vector<bool> onRim(mesh.vertices.size(), false);
-    edges.forEach(
-        [&](std::span<const EdgeUse> uses)
-        {
-            if (uses.size() == 1)
-            {
-                onRim[uses[0].low] = onRim[uses[0].high] = true;
-            }
-        });
-    return onRim;
-}
-
-std::size_t weldRims(TriangleMesh& mesh, double distance)
-{
-    const std::vector<bool> onRim = verticesOnRims(mesh, EdgeTable(mesh));
-    const Eigen::Vector3d origin = boundingBox(mesh).min();
-    const auto cellOf = [&](std::size_t vertex)
-    {
-        Cell cell;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-            const auto i = static_cast<int>(axis);
-            cell[axis] = std::llround((mesh.vertices[vertex][i] - origin[i]) / distance);
-        }
-        return cell;
-    };
-
-    std::unordered_map<Cell, std::vector<std::size_t>, CellHash> grid;
-    DisjointSets sets(mesh.vertices.size());
-    std::size_t gone = 0;
-    for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex)
-    {
-        if (!onRim[vertex])
-        {
-            continue;
-        }
-        const Cell cell = cellOf(vertex);
-        for (int neighbour = 0; neighbour < 27; ++neighbour)
-        {
-            const auto found =
-                grid.find({cell[0] + neighbour % 3 - 1, cell[1] + neighbour / 3 % 3 - 1,
-                           cell[2] + neighbour / 9 - 1});
-            if (found == grid.end())
-            {
-                continue;
-            }
-            for (const std::size_t other : found->second)
-            {
-                if (sets.find(other) != sets.find(vertex) &&
-                    (mesh.vertices[other] - mesh.vertices[vertex]).norm() <= distance)
-                {
-                    sets.join(other, vertex);
-                    ++gone;
-                }
-            }
-        }
-        grid[cell].push_back(vertex);
-    }
-    for (auto& triangle : mesh.triangles)
-    {
-        for (std::uint32_t& corner : triangle)
-        {
-            corner = static_cast<std::uint32_t>(sets.find(corner));
-        }
-    }
-    return gone;
 }
 
 } // namespace frostfill

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/mesh_shading.hpp"
 
-#include "mesh/disjoint_sets.hpp"
-#include "mesh/edge_table.hpp"
-#include "mesh/vertex_triangles.hpp"
+#include "mesh/connectivity.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 #include "simulation/quality/contact_network.hpp"
 
 #include "base/threads.hpp"
-#include "mesh/disjoint_sets.hpp"
+#include "mesh/connectivity.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/site_lattice.hpp"
 
+#include "geometry/grid_frame.hpp"
+#include "mesh/interior/near_surface.hpp"
 #include "simulation/release/tolerances.hpp"
 #include "simulation/world/tolerances.hpp"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "geometry/bricked_cells.hpp"
-#include "geometry/cell_rows.hpp"
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/inside_test.hpp"
 

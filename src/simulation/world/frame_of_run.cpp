@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/frame_of_run.hpp"
 
-#include "mesh/interior/separate_boxes.hpp"
+#include "mesh/interior/mesh_size.hpp"
 #include "simulation/world/tolerances.hpp"
 
 #include <algorithm>

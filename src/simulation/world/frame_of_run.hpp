@@ -31,8 +31,6 @@ struct FrameOfRun
         const Eigen::Vector3d q = (p - origin) / length;
         return {q[axis[0]], q[axis[1]], q[axis[2]]};
     }
-    /// Whether toRun does nothing but to take away the origin and to divide by the length.
-    [[nodiscard]] bool onlyMovesAndScales() const { return axis == std::array<int, 3>{0, 1, 2}; }
     /// A vector in mesh coordinates.
     [[nodiscard]] Eigen::Vector3d toMeshOffset(const Eigen::Vector3d& p) const
     {

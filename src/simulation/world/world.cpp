@@ -2,7 +2,7 @@
 #include "simulation/world/world.hpp"
 
 #include "base/resources.hpp"
-#include "mesh/repair/inspect_interior.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "scene/packing_estimate.hpp"
 #include "scene/thick_parts.hpp"
 #include "scene/usual_duration.hpp"
@@ -85,12 +85,12 @@ namespace
 
 /// Of a run that there is memory for.
 RadiusDistribution radiiOf(const Scene& scene, const MeshReport& report, const TriangleMesh& mesh,
-                           const TriangleTree& tree, std::optional<TriangleBvh>& bvh)
+                           const TriangleBvh& tree)
 {
     RadiusDistribution radii = scene.spheres.sizes.curve
                                    ? RadiusDistribution(scene.spheres.sizes)
                                    : RadiusDistribution(scene.spheres.radius.value_or(
-                                         sphereRadius(scene, report, mesh, tree, bvh)));
+                                         sphereRadius(scene, report, mesh, tree)));
     const double r = radii.largest();
     const double most = kPackingFraction * report.volume /
                         (4.0 / 3.0 * std::numbers::pi * r * r * r * radii.inLargest().meanPower(3));
@@ -108,19 +108,11 @@ bool isReportOf(const LoadedMesh& mesh)
            mesh.report.vertices == mesh.mesh.vertices.size();
 }
 
-/// The index goes with it, and before that its tree, if there is something in its place: memory is
-/// scarcest here.
 Surface surfaceInRun(const TriangleMesh& mesh, const FrameOfRun& frame, const Walls& walls,
-                     MeshIndex index, std::optional<TriangleBvh> bvh)
+                     MeshIndex index)
 {
-    if (bvh && frame.onlyMovesAndScales())
-    {
-        bvh->move(frame.origin, frame.length);
-        index.tree.clear();
-        return {frame.toRun(mesh), walls, index, std::move(bvh)};
-    }
-    bvh.reset();
-    return {frame.toRun(mesh), walls, index};
+    index.tree.move(frame.origin, frame.length, frame.axis);
+    return {frame.toRun(mesh), walls, std::move(index)};
 }
 
 GridFrame gridOver(const Surface& surface, double cell)
@@ -176,13 +168,13 @@ ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const Mes
 }
 
 ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known,
-                         MeshIndex index, std::optional<TriangleBvh> bvh)
+                         MeshIndex index)
     : walls(classifyWalls(mesh, index)),
       report(inspectInterior(mesh, known != nullptr ? *known : inspectMesh(mesh, index.edges),
                              walls, *index.threads)),
-      radii(radiiOf(scene, report, mesh, index.tree, bvh)),
+      radii(radiiOf(scene, report, mesh, index.tree)),
       frame(scene, report.box, radii.largest()),
-      surface(surfaceInRun(mesh, frame, walls, std::move(index), std::move(bvh))),
+      surface(surfaceInRun(mesh, frame, walls, std::move(index))),
       triangles(surface, checkedGrid(surface, report, frame, scene), kTriangleReach),
       inside(surface, triangles)
 {
@@ -312,7 +304,7 @@ ThickParts thickParts(const World& world)
 {
     MeshReport report = world.report;
     report.volume /= std::pow(world.frame.length, 3);
-    return {report, NearestPoint(world.surface.mesh()), kSamples};
+    return {report, world.surface.mesh(), world.surface.tree(), kSamples};
 }
 
 double radiusThatFits(const World& world, const ThickParts& parts, std::size_t count)

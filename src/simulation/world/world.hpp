@@ -45,7 +45,7 @@ struct ObjectOfRun
 
 private:
     ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const MeshReport* known,
-                MeshIndex index, std::optional<TriangleBvh> bvh = std::nullopt);
+                MeshIndex index);
 };
 
 /// The object and the spheres, in coordinates of the run; and by name what is none of both: the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/crossings.hpp"
+#include "mesh/interior/walls.hpp"
 #include "support/expect_error.hpp"
 #include "unit/bed/bed_on_the_spot.hpp"
 
@@ -28,9 +28,7 @@ BedSettings treatment(const std::string& text, std::size_t resolution = 4)
 
 std::size_t crossings(const TriangleMesh& mesh)
 {
-    Threads threads(2);
-    const VertexTriangles around(mesh);
-    return findCrossings(mesh, around, TriangleTree(mesh, kSmallLeaf), threads).count;
+    return findCrossings(mesh, MeshIndex(mesh, 2)).count;
 }
 
 /// Closed, oriented, free of crossings, and of the volume that it says.

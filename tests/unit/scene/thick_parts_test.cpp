@@ -47,28 +47,12 @@ TEST(ThickParts, OfACompactObjectGiveTheRadiusOfTheWholeObject)
         for (const std::uint64_t count : {100u, 300u, 3000u})
         {
             EXPECT_EQ(radiusFor(mesh, count), compactRadiusFor(mesh, count)) << name << count;
-            const ThickParts parts(inspectInterior(mesh), NearestPoint(mesh), 1000);
+            const ThickParts parts(inspectInterior(mesh), mesh, TriangleBvh(mesh), 1000);
             EXPECT_NEAR(parts.radius(static_cast<double>(count) / 0.9) /
                             compactRadiusFor(mesh, count),
                         1, 0.01);
         }
     }
-}
-
-TEST(ThickParts, LeaveWhatTheyHadToMakeOfTheMesh)
-{
-    const TriangleMesh sphere = builtInMesh("sphere");
-    const TriangleMesh plate = cubeOnPlate(0.1);
-    std::optional<TriangleBvh> bvh;
-    EXPECT_EQ(sphereRadius(sceneOf(100), inspectInterior(sphere), sphere,
-                           TriangleTree(sphere, kSmallLeaf), bvh),
-              radiusFor(sphere, 100));
-    EXPECT_FALSE(bvh) << "is compact";
-    EXPECT_EQ(sphereRadius(sceneOf(100), inspectInterior(plate), plate,
-                           TriangleTree(plate, kSmallLeaf), bvh),
-              radiusFor(plate, 100));
-    ASSERT_TRUE(bvh);
-    EXPECT_EQ(bvh->order().size(), plate.triangles.size());
 }
 
 TEST(ThickParts, OfAPlateTakeNoSphereThatIsThicker)
@@ -77,7 +61,7 @@ TEST(ThickParts, OfAPlateTakeNoSphereThatIsThicker)
     EXPECT_GT(compactRadiusFor(plate, 50), 0.5) << "or this test shows nothing";
     EXPECT_LT(radiusFor(plate, 50), 0.5);
     EXPECT_GT(radiusFor(plate, 50), 0.45);
-    const ThickParts parts(inspectInterior(plate), NearestPoint(plate), 1000);
+    const ThickParts parts(inspectInterior(plate), plate, TriangleBvh(plate), 1000);
     EXPECT_NEAR(parts.largest(), 0.5, 1e-4);
     EXPECT_EQ(parts.count(0.51), 0);
 }
@@ -85,7 +69,7 @@ TEST(ThickParts, OfAPlateTakeNoSphereThatIsThicker)
 TEST(ThickParts, AreAllThatCountsForLargeSpheres)
 {
     const TriangleMesh mesh = cubeOnPlate(0.2);
-    const ThickParts parts(inspectInterior(mesh), NearestPoint(mesh), 4000);
+    const ThickParts parts(inspectInterior(mesh), mesh, TriangleBvh(mesh), 4000);
     const TriangleMesh cube = shapes::box({-1, 0, -1}, {1, 2, 1});
     const double inCube = 0.586 * (8 - 0.38 * 0.2 * 24) / (4.0 / 3.0 * M_PI * std::pow(0.2, 3));
     EXPECT_NEAR(parts.count(0.2) / inCube, 1, 0.15);
@@ -95,7 +79,7 @@ TEST(ThickParts, AreAllThatCountsForLargeSpheres)
 TEST(ThickParts, CountTheRadiusThatTheyGive)
 {
     const TriangleMesh mesh = cubeOnPlate(0.5);
-    const ThickParts parts(inspectInterior(mesh), NearestPoint(mesh), 1000);
+    const ThickParts parts(inspectInterior(mesh), mesh, TriangleBvh(mesh), 1000);
     for (const double count : {20.0, 500.0, 30000.0})
     {
         EXPECT_GE(parts.count(parts.radius(count)), count);

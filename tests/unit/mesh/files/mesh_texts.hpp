@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "mesh/files/mesh_files.hpp"
+#include "mesh/files/readers.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The samples are boxes that VTK 9.1 has written.
-#include "mesh/files/unpack.hpp"
+#include "mesh/files/readers.hpp"
 #include "unit/mesh/files/mesh_texts.hpp"
 #include "unit/mesh/files/samples.hpp"
 

@@ -14,7 +14,6 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <thread>
 #include <vector>
@@ -30,16 +29,11 @@ constexpr SandboxLimits kSmall = {std::size_t{256} << 20, 1};
 
 std::string run(const std::function<std::string()>& work)
 {
-    std::string result; // of the child's own
-    const SandboxedBytes bytes = runSandboxed(kSmall, "'x.ply' cannot be read",
-                                              [&]() -> SandboxReport
-                                              {
-                                                  result = work();
-                                                  const std::string_view all = result;
-                                                  const std::size_t half = all.size() / 2;
-                                                  return {all.substr(0, half), all.substr(half)};
-                                              });
-    return std::string(bytes.view());
+    return runSandboxed(kSmall, "'x.ply' cannot be read",
+                        [&] {
+                            return ReadResult{{}, work()};
+                        })
+        .remarks;
 }
 
 TEST(Sandbox, ReturnsWhatTheWorkReturns)
@@ -122,45 +116,44 @@ TEST(Sandbox, WritesToNoFileAndOpensFew)
     EXPECT_GT(std::stoi(opened), 0);
 }
 
-TEST(Sandbox, JoinsWhatTheWorkSendsInParts)
+TEST(Sandbox, ReturnsTheMeshOfTheWork)
 {
-    std::vector<std::uint64_t> numbers; // more than a pipe holds at once
-    const std::string text = "end";
-    const SandboxedBytes bytes =
-        runSandboxed(kSmall, "'x.ply' cannot be read",
-                     [&]() -> SandboxReport
-                     {
-                         for (std::uint64_t i = 0; i < 300'000; ++i)
-                         {
-                             numbers.push_back(i * i);
-                         }
-                         return {{reinterpret_cast<const char*>(numbers.data()),
-                                  numbers.size() * sizeof numbers[0]},
-                                 {},
-                                 text};
-                     });
-    EXPECT_TRUE(numbers.empty()) << "filled in the child only";
-    ASSERT_EQ(bytes.size, 8U * 300'000 + text.size());
-    for (std::uint64_t i = 0; i < 300'000; ++i)
+    TriangleMesh mesh; // more than a pipe holds at once
+    const ReadResult result = runSandboxed(kSmall, "'x.ply' cannot be read",
+                                           [&]
+                                           {
+                                               for (std::uint32_t i = 0; i < 100'000; ++i)
+                                               {
+                                                   mesh.vertices.emplace_back(i, 0.5 * i, -1.0 * i);
+                                                   mesh.triangles.push_back({i, i + 1, i + 2});
+                                               }
+                                               return ReadResult{mesh, "end"};
+                                           });
+    EXPECT_TRUE(mesh.vertices.empty()) << "filled in the child only";
+    ASSERT_EQ(result.mesh.vertices.size(), 100'000U);
+    ASSERT_EQ(result.mesh.triangles.size(), 100'000U);
+    for (std::uint32_t i = 0; i < 100'000; ++i)
     {
-        std::uint64_t number = 0;
-        std::memcpy(&number, bytes.bytes.get() + 8 * i, sizeof number);
-        ASSERT_EQ(number, i * i);
+        ASSERT_EQ(result.mesh.vertices[i], Eigen::Vector3d(i, 0.5 * i, -1.0 * i));
+        ASSERT_EQ(result.mesh.triangles[i], (std::array{i, i + 1, i + 2}));
     }
-    EXPECT_EQ(bytes.view().substr(8U * 300'000), text);
+    EXPECT_EQ(result.remarks, "end");
 }
 
 TEST(Sandbox, TakesNoMoreThanTheChildMayUse)
 {
-    const std::string part(1 << 20, 'x');
+    // What the parent has is beyond the child's limit, and is sent as it is.
+    std::string text(257 << 20, 'x');
     expectError(
         ErrorCode::badData,
-        [&] {
+        [&]
+        {
             (void)runSandboxed(kSmall, "'x.ply' cannot be read",
-                               [&] { return SandboxReport(257, part); });
+                               [&] {
+                                   return ReadResult{{}, std::string(text)};
+                               });
         },
         "'x.ply' cannot be read: it needs more than 256 MB of memory");
-    EXPECT_EQ(runSandboxed(kSmall, "", [&] { return SandboxReport(2, part); }).size, 2U << 20);
 }
 
 TEST(Sandbox, KeepsAStricterLimitOfItsParent)
@@ -191,7 +184,7 @@ TEST(Sandbox, TellsAKillFromALimit)
         []
         {
             (void)runSandboxed({kSmall.bytes, 0}, "'x.ply' cannot be read",
-                               []() -> SandboxReport
+                               []() -> ReadResult
                                {
                                    std::this_thread::sleep_for(std::chrono::minutes(2));
                                    return {};

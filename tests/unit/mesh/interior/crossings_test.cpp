@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/crossings.hpp"
-
-#include "geometry/triangle_pair.hpp"
+#include "geometry/exact_predicates.hpp"
+#include "mesh/interior/walls.hpp"
 #include "mesh/triangle_shape.hpp"
 #include "support/shapes.hpp"
 #include "unit/geometry/exact_pair.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/interior_volume.hpp"
-
+#include "mesh/interior/mesh_size.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>

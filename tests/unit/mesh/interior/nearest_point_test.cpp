@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/nearest_point.hpp"
-
 #include "geometry/closest_point.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>
@@ -29,11 +28,11 @@ double distanceToAll(const TriangleMesh& mesh, const Eigen::Vector3d& p)
 TEST(NearestPoint, IsTheNearestOfAllTrianglesHoweverFar)
 {
     const TriangleMesh torus = shapes::torus();
-    const NearestPoint surface(torus);
+    const TriangleBvh tree(torus);
     for (int k = 0; k < 200; ++k)
     {
         const Eigen::Vector3d p(3 * std::sin(1.7 * k), 2 * std::sin(2.3 * k), std::sin(0.9 * k));
-        const auto found = surface.find(p, 100);
+        const auto found = nearestPoint(torus, tree, p, 100);
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->distance, distanceToAll(torus, p), 1e-14);
         EXPECT_NEAR((found->point - p).norm(), found->distance, 1e-14);
@@ -48,10 +47,10 @@ TEST(NearestPoint, IsTheNearestOfAllTrianglesHoweverFar)
 TEST(NearestPoint, IsNothingWhenAllIsFartherThanAsked)
 {
     const TriangleMesh cube = shapes::box({0, 0, 0}, {1, 1, 1});
-    const NearestPoint surface(cube);
-    EXPECT_FALSE(surface.find({0.5, 3, 0.5}, 1.99));
-    EXPECT_TRUE(surface.find({0.5, 3, 0.5}, 2.01));
-    EXPECT_FALSE(NearestPoint({}).find({0, 0, 0}, 1));
+    const TriangleBvh tree(cube);
+    EXPECT_FALSE(nearestPoint(cube, tree, {0.5, 3, 0.5}, 1.99));
+    EXPECT_TRUE(nearestPoint(cube, tree, {0.5, 3, 0.5}, 2.01));
+    EXPECT_FALSE(nearestPoint({}, TriangleBvh(TriangleMesh()), {0, 0, 0}, 1));
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/separate_boxes.hpp"
-
+#include "mesh/interior/mesh_size.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
@@ -41,15 +40,6 @@ TEST(SeparateBoxes, HoldPiecesThatAreNearEachOther)
     TriangleMesh nested = shapes::box({0, 0, 0}, {10, 10, 10});
     test::append(nested, shapes::box({4, 4, 4}, {5, 5, 5}));
     EXPECT_EQ(separateBoxes(nested, 0).size(), 1u);
-}
-
-TEST(SeparateBoxes, DivideTheTrianglesOfTheMesh)
-{
-    const TriangleMesh mesh = cubesAt({{0, 0, 0}, {100, 0, 0}, {102, 0, 0}});
-    const auto parts = separateParts(mesh, separateBoxes(mesh, 5));
-    ASSERT_EQ(parts.size(), 2u);
-    EXPECT_EQ(signedVolume(parts[0]), 1);
-    EXPECT_NEAR(signedVolume(parts[1]), 2, 1e-12);
 }
 
 TEST(SeparateBoxes, OfNothingAreNone)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/crossings.hpp"
-
+#include "mesh/interior/walls.hpp"
 #include "unit/mesh/interior/surface_samples.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +44,7 @@ bool isSpread(const TriangleMesh& mesh)
 {
     std::vector<std::uint32_t> triangles(mesh.triangles.size());
     std::iota(triangles.begin(), triangles.end(), 0U);
-    return isSpreadFan(mesh, 0, triangles);
+    return fanAt(mesh, 0, triangles) == Fan::spread;
 }
 
 TEST(SpreadFan, IsAConeOfAnyDepth)

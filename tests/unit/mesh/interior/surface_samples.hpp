@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/random.hpp"
-#include "mesh/interior/crossings.hpp"
+#include "mesh/interior/walls.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cmath>
@@ -14,8 +14,9 @@ namespace frostfill::test
 
 inline Crossings crossingsOf(const TriangleMesh& mesh, int threadCount = 1)
 {
-    Threads threads(threadCount);
-    return findCrossings(mesh, VertexTriangles(mesh), TriangleTree(mesh, kSmallLeaf), threads);
+    MeshIndex index(mesh);
+    index.threads = std::make_unique<Threads>(threadCount);
+    return findCrossings(mesh, index);
 }
 
 /// Each triangle in four, at the middles of its edges.

@@ -87,10 +87,10 @@ TEST(Surface, IsTheSameWhateverTheThreadsThatMakeIt)
 {
     const TriangleMesh mesh = shapes::torus(2, 0.5, 211, 61);
     ASSERT_GT(mesh.triangles.size(), MeshIndex::kWorthThreads);
-    const MeshIndex one(mesh, 1);
-    const MeshIndex three(mesh, 3);
-    const Surface expected(mesh, classifyWalls(mesh, one), one);
-    const Surface surface(mesh, classifyWalls(mesh, three), three);
+    const Walls walls = classifyWalls(mesh);
+    EXPECT_EQ(classifyWalls(mesh, MeshIndex(mesh, 3)).twoSided, walls.twoSided);
+    const Surface expected(mesh, walls, MeshIndex(mesh, 1));
+    const Surface surface(mesh, walls, MeshIndex(mesh, 3));
     EXPECT_TRUE(std::equal(surface.tree().order().begin(), surface.tree().order().end(),
                            expected.tree().order().begin()));
     EXPECT_EQ(surface.box().min(), expected.box().min());
@@ -111,12 +111,13 @@ TEST(Surface, WithATreeThatMovedWithItsMeshFindsTheSame)
     TriangleMesh moved = mesh;
     for (Eigen::Vector3d& vertex : moved.vertices)
     {
-        vertex = (vertex - origin) / length;
+        const Eigen::Vector3d q = (vertex - origin) / length;
+        vertex = {q.z(), q.x(), q.y()};
     }
-    const MeshIndex index(mesh);
-    TriangleBvh bvh(mesh, index.tree);
-    bvh.move(origin, length);
-    const Surface surface(moved, classifyWalls(mesh, index), index, bvh);
+    MeshIndex index(mesh);
+    const Walls walls = classifyWalls(mesh, index);
+    index.tree.move(origin, length, {2, 0, 1});
+    const Surface surface(moved, walls, std::move(index));
     const Surface expected(moved);
     for (std::uint32_t t = 0; t < surface.size(); ++t)
     {

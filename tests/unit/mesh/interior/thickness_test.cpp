@@ -15,6 +15,11 @@ namespace
 
 using Samples = std::vector<ThicknessSample>;
 
+Samples samplesOf(const TriangleMesh& mesh, std::size_t count, bool onlyBehind)
+{
+    return sampleThickness(mesh, TriangleBvh(mesh), count, onlyBehind);
+}
+
 double sum(const Samples& samples, double ThicknessSample::*field)
 {
     double total = 0;
@@ -38,7 +43,7 @@ double shareWith(const Samples& samples, const std::function<bool(double)>& thic
 
 TEST(Thickness, OfAPlateIsHalfTheDistanceOfItsSides)
 {
-    const Samples plate = sampleThickness(shapes::box({0, 0, 0}, {40, 40, 1}), 500, true);
+    const Samples plate = samplesOf(shapes::box({0, 0, 0}, {40, 40, 1}), 500, true);
     EXPECT_EQ(plate.size(), 500u);
     EXPECT_GT(shareWith(plate, [](double t) { return std::abs(t - 0.5) < 1e-4; }), 0.9);
     EXPECT_EQ(shareWith(plate, [](double t) { return t > 0.5 + 1e-9; }), 0);
@@ -49,7 +54,7 @@ TEST(Thickness, SharesOutTheAreaAndTheVolume)
     for (const TriangleMesh& mesh :
          {shapes::box({0, 0, 0}, {1, 2, 3}), shapes::box({0, 0, 0}, {9, 9, 1}), shapes::torus()})
     {
-        const Samples samples = sampleThickness(mesh, 1000, true);
+        const Samples samples = samplesOf(mesh, 1000, true);
         EXPECT_NEAR(sum(samples, &ThicknessSample::area) / surfaceArea(mesh), 1, 1e-9);
         EXPECT_NEAR(sum(samples, &ThicknessSample::volume) / signedVolume(mesh), 1, 0.08);
     }
@@ -57,7 +62,7 @@ TEST(Thickness, SharesOutTheAreaAndTheVolume)
 
 TEST(Thickness, FacetsOfARoundWallDoNotPassForThinParts)
 {
-    const Samples tube = sampleThickness(shapes::torus(1, 0.4, 48, 12), 1000, true);
+    const Samples tube = samplesOf(shapes::torus(1, 0.4, 48, 12), 1000, true);
     EXPECT_GT(shareWith(tube, [](double t) { return t > 0.36; }), 0.95);
 }
 
@@ -67,16 +72,16 @@ TEST(Thickness, OfAHollowBoxIsThatOfItsWalls)
     TriangleMesh cavity = shapes::box({1, 1, 1}, {9, 9, 9});
     test::flipAll(cavity);
     test::append(hollow, cavity);
-    const Samples walls = sampleThickness(hollow, 1000, false);
+    const Samples walls = samplesOf(hollow, 1000, false);
     EXPECT_GT(shareWith(walls, [](double t) { return t > 0.49; }), 0.9);
-    EXPECT_LT(sampleThickness(hollow, 1000, false).front().thickness, 0.75) << "in a corner";
+    EXPECT_LT(samplesOf(hollow, 1000, false).front().thickness, 0.75) << "in a corner";
 }
 
 TEST(Thickness, OfAWallInsideIsThatOfBothSides)
 {
     TriangleMesh crossing = shapes::box({0, 0, 0}, {10, 10, 2});
     test::append(crossing, shapes::box({4, 4, -4}, {6, 6, 6}));
-    const Samples samples = sampleThickness(crossing, 1000, false);
+    const Samples samples = samplesOf(crossing, 1000, false);
     EXPECT_GT(samples.size(), 1000u);
     for (const ThicknessSample& sample : samples)
     {
@@ -86,8 +91,8 @@ TEST(Thickness, OfAWallInsideIsThatOfBothSides)
 
 TEST(Thickness, IsTheSameEachTime)
 {
-    const Samples first = sampleThickness(shapes::torus(), 200, true);
-    const Samples second = sampleThickness(shapes::torus(), 200, true);
+    const Samples first = samplesOf(shapes::torus(), 200, true);
+    const Samples second = samplesOf(shapes::torus(), 200, true);
     for (std::size_t k = 0; k < first.size(); ++k)
     {
         EXPECT_EQ(first[k].thickness, second[k].thickness);

@@ -241,17 +241,43 @@ TEST(TriangleBvh, FindsTheNearestInMeshesOfAnySizeAndPlace)
     }
 }
 
-TEST(TriangleBvh, OfATreeFromBeforeTheMeshWasMovedFindsTheSame)
+TEST(TriangleBvh, HasEachTriangleInOneLeaf)
 {
-    const TriangleMesh mesh = shapes::torus(1, 0.4, 60, 20);
-    TriangleMesh moved = mesh;
-    const Eigen::AngleAxisd turn(0.7, Eigen::Vector3d(1, 2, 3).normalized());
-    for (Eigen::Vector3d& vertex : moved.vertices)
+    const TriangleMesh human = builtInMesh("human");
+    const TriangleBvh tree(human);
+    std::vector<int> seen(human.triangles.size(), 0);
+    for (std::uint32_t leaf = 0; leaf < tree.leaves(); ++leaf)
     {
-        vertex = 5 * (turn * vertex) + Eigen::Vector3d(3, -1, 7);
+        const auto triangles = tree.triangles(leaf);
+        EXPECT_LE(triangles.size(), 4U);
+        EXPECT_GE(triangles.size(), 2U);
+        EXPECT_TRUE(std::is_sorted(triangles.begin(), triangles.end()));
+        std::for_each(triangles.begin(), triangles.end(), [&](auto t) { ++seen[t]; });
     }
-    const MeshIndex index(mesh);
-    expectNearest(Surface(moved, classifyWalls(mesh, index), index), 100, 5);
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(seen.size()));
+}
+
+TEST(TriangleBvh, IsBalancedWhenAllCentroidsAreEqual)
+{
+    TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
+    mesh.triangles.assign(1024, {0, 1, 2});
+    const TriangleBvh tree(mesh);
+    EXPECT_EQ(tree.leaves(), 256U);
+    for (std::uint32_t i = 0; i < 1024; ++i)
+    {
+        EXPECT_EQ(tree.order()[i], i);
+    }
+}
+
+TEST(TriangleBvh, IsTheSameWhateverTheThreadsThatMakeIt)
+{
+    // As many triangles as do not halve evenly.
+    const TriangleMesh mesh = shapes::torus(2, 0.5, 173, 61);
+    const TriangleBvh expected(mesh);
+    Threads threads(3);
+    const TriangleBvh tree(mesh, threads);
+    EXPECT_TRUE(std::equal(tree.order().begin(), tree.order().end(), expected.order().begin()));
+    EXPECT_EQ(tree.leaves(), expected.leaves());
 }
 
 TEST(TriangleBvh, LeavesNothingOutThatIsJustNearEnough)

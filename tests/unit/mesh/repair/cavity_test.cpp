@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Vessels whose walls have a thickness: cups, cans, hoppers. The option cavity fills what they
 // enclose.
-#include "mesh/repair/cavity.hpp"
-
-#include "mesh/repair/stitch_seams.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 #include "unit/mesh/repair/lathe.hpp"

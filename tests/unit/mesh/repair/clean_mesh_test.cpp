@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Triangles without area: chains of them, needles, and both at once.
-#include "mesh/repair/clean_mesh.hpp"
-
-#include "mesh/edge_table.hpp"
+#include "mesh/connectivity.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/loose_parts.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <frostfill/error.hpp>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/lids.hpp"
-
-#include "mesh/edge_table.hpp"
-#include "mesh/repair/rims.hpp"
+#include "mesh/connectivity.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 #include "unit/mesh/repair/lathe.hpp"
@@ -215,28 +213,6 @@ TEST(Lids, DropAWallWithinThatHasAFreeEdge)
     EXPECT_EQ(repairsWith(loaded, "removed 8 triangles of open patches"), 1U);
     EXPECT_TRUE(loaded.report.closed());
     EXPECT_DOUBLE_EQ(loaded.report.volume, 8);
-}
-
-// Nothing but the lid tells which side of a room that stands beside a box is its inside.
-TEST(Lids, TurnAPatchThatIsWoundInwards)
-{
-    TriangleMesh mesh = test::box(0, 1);
-    mesh.vertices.insert(mesh.vertices.end(), {{2, 0, 0}, {2, 1, 0}, {2, 0, 1}, {2, 1, 1}});
-    for (std::array<std::uint32_t, 3> t : {std::array<std::uint32_t, 3>{1, 8, 10},
-                                           {1, 10, 5},
-                                           {1, 3, 9},
-                                           {1, 9, 8},
-                                           {5, 10, 11},
-                                           {5, 11, 7},
-                                           {8, 9, 11},
-                                           {8, 11, 10}})
-    {
-        test::flip(t);
-        mesh.triangles.push_back(t);
-    }
-    EXPECT_EQ(closeOpenings(mesh).turnedPatches, 1U);
-    EXPECT_TRUE(inspectMesh(mesh).closed());
-    EXPECT_GT(signedVolume(mesh), 1.4);
 }
 
 TEST(Lids, DropAFinBesideAnOpening)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/stitch_seams.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cmath>
@@ -216,27 +216,6 @@ TEST(RepairMesh, JoinsSeamsThatMissEachOtherByRounding)
     EXPECT_TRUE(loaded.report.closed());
     ASSERT_FALSE(loaded.repairs.empty());
     EXPECT_NE(loaded.repairs[0].find("joined"), std::string::npos);
-}
-
-TEST(RepairMesh, SeparatesSolidsThatTouchAlongAnEdge)
-{
-    TriangleMesh mesh = test::box({0, 0, 0}, {1, 1, 1});
-    test::append(mesh, test::box({1, 1, 0}, {2, 2, 1}));
-    for (auto& t : mesh.triangles)
-    {
-        for (const auto& [own, shared] : {std::pair{8U, 3U}, {12U, 7U}})
-        {
-            std::replace(t.begin(), t.end(), own, shared);
-        }
-    }
-    ASSERT_EQ(inspectMesh(mesh).nonManifoldEdges, 1U);
-    const LoadedMesh loaded = repairMesh(mesh, "boxes");
-    ASSERT_FALSE(loaded.repairs.empty());
-    EXPECT_NE(loaded.repairs[0].find("separated the surface along 1 edge"), std::string::npos);
-    EXPECT_TRUE(loaded.report.closed());
-    EXPECT_EQ(loaded.report.components, 2U);
-    EXPECT_EQ(loaded.report.vertices, 16U);
-    EXPECT_EQ(loaded.report.volume, 2.0);
 }
 
 TEST(RepairMesh, RefusesAMeshWithoutTriangles)

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/edge_table.hpp"
-
-#include "mesh/triangle_shape.hpp"
+#include "mesh/connectivity.hpp"
 
 #include <algorithm>
 
@@ -41,8 +39,7 @@ bool cancels(std::span<const EdgeUse> uses)
 
 // In buckets by the lower vertex: most hold a few sides, which are soon sorted.
 EdgeTable::EdgeTable(const TriangleMesh& mesh)
-    : triangles_(mesh.triangles.size()),
-      sides_(mesh.vertices.size(), [&](auto&& enter) { forEachSide(mesh, enter); })
+    : sides_(mesh.vertices.size(), [&](auto&& enter) { forEachSide(mesh, enter); })
 {
     for (std::size_t low = 0; low < sides_.size(); ++low)
     {
@@ -62,13 +59,6 @@ std::vector<EdgeUse> EdgeTable::find(std::uint32_t a, std::uint32_t b) const
         uses.push_back(unpacked(low, *side));
     }
     return uses;
-}
-
-std::size_t EdgeTable::badEdges() const
-{
-    std::size_t count = 0;
-    forEach([&](std::span<const EdgeUse> uses) { count += uses.size() != 2 ? 1U : 0U; });
-    return count;
 }
 
 } // namespace frostfill

@@ -2,14 +2,18 @@
 #pragma once
 
 #include "base/buckets.hpp"
+#include "mesh/triangle_shape.hpp"
 
 #include <frostfill/mesh.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <span>
 #include <vector>
 
+/// What of a mesh is connected with what: over edges, over vertices, and in the end.
 namespace frostfill
 {
 
@@ -64,12 +68,6 @@ public:
     /// Uses of the edge between two vertices; empty if there is no such edge.
     [[nodiscard]] std::vector<EdgeUse> find(std::uint32_t a, std::uint32_t b) const;
 
-    /// Of the mesh.
-    [[nodiscard]] std::size_t triangles() const { return triangles_; }
-
-    /// Number of edges that do not have exactly two triangles.
-    [[nodiscard]] std::size_t badEdges() const;
-
 private:
     /// A side in 64 bits: its higher vertex, its number 3 x triangle + corner, and whether it runs
     /// forward. In this order they sort as they have to. A mesh of scans has millions.
@@ -85,8 +83,69 @@ private:
                 (side & 1) != 0};
     }
 
-    std::size_t triangles_ = 0;
     Buckets<Side> sides_; ///< by lower vertex, sorted
+};
+
+/// The triangles at each vertex, ascending. A triangle that repeats a corner is at none.
+class VertexTriangles
+{
+public:
+    explicit VertexTriangles(const TriangleMesh& mesh)
+        : triangles_(mesh.vertices.size(),
+                     [&](auto&& enter)
+                     {
+                         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
+                         {
+                             const Triangle& corners = mesh.triangles[t];
+                             for (std::size_t k = 0; k < 3 && !repeatsCorner(corners); ++k)
+                             {
+                                 enter(corners[k], t);
+                             }
+                         }
+                     })
+    {
+    }
+
+    [[nodiscard]] std::size_t vertices() const { return triangles_.size(); }
+    [[nodiscard]] std::span<const std::uint32_t> at(std::size_t vertex) const
+    {
+        return triangles_[vertex];
+    }
+
+private:
+    Buckets<std::uint32_t> triangles_;
+};
+
+/// Disjoint sets of numbers. The smallest number represents its set.
+class DisjointSets
+{
+public:
+    explicit DisjointSets(std::size_t count) : parent_(count)
+    {
+        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+    }
+
+    std::size_t find(std::size_t i)
+    {
+        while (parent_[i] != i)
+        {
+            parent_[i] = parent_[parent_[i]];
+            i = parent_[i];
+        }
+        return i;
+    }
+
+    /// Whether the two were apart.
+    bool join(std::size_t i, std::size_t j)
+    {
+        i = find(i);
+        j = find(j);
+        parent_[i < j ? j : i] = static_cast<std::uint32_t>(i < j ? i : j);
+        return i != j;
+    }
+
+private:
+    std::vector<std::uint32_t> parent_;
 };
 
 } // namespace frostfill

@@ -5,6 +5,8 @@
 
 #include <frostfill/mesh.hpp>
 
+#include <vector>
+
 namespace frostfill
 {
 
@@ -15,5 +17,9 @@ namespace frostfill
 [[nodiscard]] double interiorVolume(const TriangleMesh& mesh);
 /// The same number on several threads.
 [[nodiscard]] double interiorVolume(const TriangleMesh& mesh, Threads& threads);
+
+/// Boxes of the parts of a mesh, at least `gap` apart along some axis; ascending in x. Pieces that
+/// are nearer to each other are one part.
+[[nodiscard]] std::vector<Eigen::AlignedBox3d> separateBoxes(const TriangleMesh& mesh, double gap);
 
 } // namespace frostfill
