@@ -85,8 +85,6 @@ public:
         return static_cast<double>(unrest_.moving) <=
                kFewMove * static_cast<double>(running_.size());
     }
-    /// Spheres that the last advance() has moved.
-    [[nodiscard]] std::size_t moved() const { return rows_.size(); }
     /// Of motion, spin, height and springs.
     [[nodiscard]] double energy() const;
     [[nodiscard]] const Eigen::Vector3d& spin(std::uint32_t row) const { return spin_[row]; }
