@@ -71,6 +71,19 @@ function(frostfill_join_rooms targets)
     endforeach()
 endfunction()
 
+# Compiles units of a target small: rooms that read, write and plan. That takes three fifths of the
+# time (76 s -> 45 s), and `analyse` 4 % longer, `fill torus` with pictures 1 %.
+#   frostfill_compile_small(TARGET UNIT...)
+function(frostfill_compile_small target)
+    if(FROSTFILL_UNITY AND CMAKE_BUILD_TYPE STREQUAL Release)
+        foreach(unit IN LISTS ARGN)
+            set_source_files_properties(
+                ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${target}.dir/Unity/unity_${unit}_cxx.cxx
+                TARGET_DIRECTORY ${target} PROPERTIES COMPILE_OPTIONS -O1)
+        endforeach()
+    endif()
+endfunction()
+
 # Compiles files into a target, byte for byte, and writes the header that declares them:
 #   frostfill_embed(TARGET ROOM/HEADER.hpp NAME FILE NAME FILE ...)
 # In C++, with #include "ROOM/HEADER.hpp":

@@ -180,7 +180,7 @@ FROSTFILL_INLINE void withLook(const SphereRaster::Drawn& drawn, Visit visit)
     }
     else
     {
-        const auto inClean = [&](const auto& look)
+        const auto inClean = [&](const auto& look) __attribute__((always_inline))
         {
             drawn.print ? visit(s, look, Print{})
             : marked    ? visit(s, look, State{})
