@@ -79,10 +79,13 @@ ClearSearch::find(const Eigen::Vector3d& middle, double edge, std::uint32_t rows
                          [&](std::uint32_t row)
                          {
                              const Ball& ball = resting_[row];
-                             if (row < rows && left != 0)
+                             const Eigen::Vector3d centre = ball.position();
+                             const double radius = ball.radius + probe_ - overlap;
+                             const double far = radius + kHalfDiagonal * edge;
+                             if (row < rows && left != 0 &&
+                                 (centre - middle).squaredNorm() < far * far)
                              {
-                                 left &=
-                                     ~parts.inBall(ball.position(), ball.radius + probe_ - overlap);
+                                 left &= ~parts.inBall(centre, radius);
                              }
                          });
     if (left == 0)
