@@ -115,6 +115,7 @@ void Discards::discardFrom(std::uint32_t newest)
             spheres_.push_back(kept);
         }
     }
+    before_ = kUnknown;
     std::erase_if(polygons_,
                   [&](Kept& kept)
                   {
@@ -209,6 +210,11 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
         witness = part;
         return near.isNear(polygon, part);
     };
+    // Polygons follow each other in a mesh as they lie beside each other in the object.
+    if (!std::isnan(before_.x()) && isNear(before_))
+    {
+        return true;
+    }
     bool found = false;
     forEachRunNear(
         cubes.frame(), world_.surface, group, reach + kHalfDiagonal * cubes.frame().cell,
@@ -222,6 +228,7 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
             }
             return z;
         });
+    before_ = found ? witness : before_;
     return found;
 }
 

@@ -62,6 +62,7 @@ private:
     std::uint32_t mark_ = 0;        ///< spheres at rest at the newest mark
     std::vector<Kept> spheres_;
     std::vector<Kept> polygons_;
+    Eigen::Vector3d before_; ///< witness of a polygon that was looked at before, at this mark
 };
 
 } // namespace frostfill
