@@ -22,7 +22,8 @@ Packing withImages(const Packing& packing, const Eigen::AlignedBox3d& bounds)
     }
     for (int image = 0; image < 27; ++image)
     {
-        const Eigen::Vector3d step(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1);
+        const Eigen::Vector3d step =
+            Eigen::Vector3i(image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1).cast<double>();
         for (std::size_t k = 0; k < packing.centres.size() && !step.isZero(); ++k)
         {
             const Eigen::Vector3d centre = all.centres[k] + step.cwiseProduct(bounds.sizes());

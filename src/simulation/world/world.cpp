@@ -172,8 +172,7 @@ ObjectOfRun::ObjectOfRun(const Scene& scene, const TriangleMesh& mesh, const Mes
     : walls(classifyWalls(mesh, index)),
       report(inspectInterior(mesh, known != nullptr ? *known : inspectMesh(mesh, index.edges),
                              walls, *index.threads)),
-      radii(radiiOf(scene, report, mesh, index.tree)),
-      frame(scene, report.box, radii.largest()),
+      radii(radiiOf(scene, report, mesh, index.tree)), frame(scene, report.box, radii.largest()),
       surface(surfaceInRun(mesh, frame, walls, std::move(index))),
       triangles(surface, checkedGrid(surface, report, frame, scene), kTriangleReach),
       inside(surface, triangles)

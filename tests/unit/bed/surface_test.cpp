@@ -225,11 +225,11 @@ TEST(BedSurface, HasThePatchesOfItsParts)
         }
         return patchesOf(container);
     };
-    constexpr std::uint32_t kNo = BedContainer::kNoPart;
+    constexpr std::uint32_t kNone = BedContainer::kNoPart;
     EXPECT_EQ(partsOf({0, 1, 2, 2}, {"sieve", "lid", "glass"}),
               "sieve:inlet:8 lid:outlet:8 glass:wall:32 ");
     // Of what is more than an end, and of lids, the ends have names of their own.
-    EXPECT_EQ(partsOf({0, kNo, 0, 0}, {"cup"}), "inlet:inlet:8 outlet:outlet:8 cup:wall:32 ");
+    EXPECT_EQ(partsOf({0, kNone, 0, 0}, {"cup"}), "inlet:inlet:8 outlet:outlet:8 cup:wall:32 ");
     EXPECT_EQ(partsOf({0, 1, 1, 1}, {"foot", "wall"}),
               "foot:inlet:8 outlet:outlet:8 wall:wall:32 ");
     EXPECT_EQ(partsOf({0, 0, 1, 0}, {"box", "inlet"}),

@@ -132,6 +132,7 @@ def say_what_is_missing():
 
 def survive_a_lost_context():
     with Browser(url) as page:
+        page.go_to("look=Clean")
         before = page.screenshot()
         page.value("window.lose = frostfill.picture.gl.getExtension('WEBGL_lose_context'); lose.loseContext(); 1")
         page.until("!document.getElementById('notice').hidden")
