@@ -302,7 +302,7 @@ TEST(BedSettings, AreRefusedWhereTheyMakeNoSense)
     {
         SCOPED_TRACE(text);
         expectError(
-            ErrorCode::usage, [&] { parseContacts(text, settings); }, says);
+            ErrorCode::usage, [&, text = text] { parseContacts(text, settings); }, says);
     }
     const auto refused = [](const BedSettings& wrong, const char* says)
     {
