@@ -58,7 +58,6 @@ private:
     std::optional<OpenCubes> open_; ///< less what holds no place at the newest mark
     bool isOff_;                    ///< nothing is ever discarded
     std::uint32_t step_;            ///< spheres from mark to mark
-    bool isOver_ = false;           ///< found for the end of the run
     std::uint32_t mark_ = 0;        ///< spheres at rest at the newest mark
     std::vector<Kept> spheres_;
     std::vector<Kept> polygons_;
