@@ -2,7 +2,7 @@
 #include "analysis/measured_columns.hpp"
 #include "base/atomic_file.hpp"
 #include "export/exporter.hpp"
-#include "mesh/repair/patches.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "output/scene_json.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"

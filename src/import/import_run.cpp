@@ -2,7 +2,7 @@
 #include "import/sphere_numbers.hpp"
 #include "import/survey.hpp"
 #include "import/timestep_sequence.hpp"
-#include "mesh/repair/patches.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "run/frame_timing.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_head.hpp"

@@ -2,7 +2,7 @@
 #include "base/read_number.hpp"
 #include "mesh/files/embedded_meshes.hpp"
 #include "mesh/files/readers.hpp"
-#include "mesh/repair/patches.hpp"
+#include "mesh/repair/repair_steps.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/mesh.hpp>

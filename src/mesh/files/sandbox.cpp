@@ -8,7 +8,6 @@
 #include "base/read_number.hpp"
 #include "base/resources.hpp"
 #include "mesh/files/readers.hpp"
-#include "mesh/repair/patches.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 #include <frostfill/error.hpp>

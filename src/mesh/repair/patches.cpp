@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/patches.hpp"
-
 #include "mesh/interior/triangle_bvh.hpp"
+#include "mesh/repair/repair_steps.hpp"
 #include "mesh/triangle_shape.hpp"
 
 #include <algorithm>

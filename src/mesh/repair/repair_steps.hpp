@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace frostfill
 {
@@ -145,5 +146,17 @@ struct Cavity
 /// Of a mesh that repairMesh has returned. Parts much smaller than the largest do not count. A
 /// vessel's opening is found as far as cubes resolve it, a 64th of the mesh's size.
 [[nodiscard]] Cavity findCavity(const TriangleMesh& walls);
+
+// patches.cpp
+
+/// Returns a name of letters, digits and _, as programs take it for a patch. It does not begin with
+/// a digit, and is none that exports give to something else.
+[[nodiscard]] std::string wordOfPatch(std::string_view name);
+
+/// Finds the patches of a mesh again after its repair: sorts the triangles of `loaded`, but for its
+/// lids, by the patch of the triangle as it was read that is nearest to their middle. `read` is the
+/// mesh as it was read, in `patches`, of which several may have the same name.
+void findPatchesAgain(LoadedMesh& loaded, const TriangleMesh& read,
+                      const std::vector<MeshPatch>& patches);
 
 } // namespace frostfill

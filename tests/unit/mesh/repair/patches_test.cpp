@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/repair/patches.hpp"
-
+#include "mesh/repair/repair_steps.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <fmt/format.h>
