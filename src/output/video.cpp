@@ -59,6 +59,11 @@ std::vector<std::string> encoderArguments(const std::string& ending, bool withAl
 /// is stored. Fifteen frames a second are smooth enough, and half the size.
 constexpr double kMaxGifFrames = 15;
 
+std::string complaintOf(const std::string& said)
+{
+    return said.empty() ? "ffmpeg ended early" : "ffmpeg says: " + said;
+}
+
 bool isGif(const std::filesystem::path& file)
 {
     return file.extension() == ".gif";
@@ -236,8 +241,7 @@ std::string Video::complaint() const
     std::string all(static_cast<std::size_t>(std::max<off_t>(::lseek(said_, 0, SEEK_END), 0)), 0);
     std::ignore = ::pread(said_, all.data(), all.size(), 0);
     all.erase(all.find_last_not_of("\n") + 1);
-    const std::string last = all.substr(all.rfind('\n') + 1);
-    return last.empty() ? "ffmpeg ended early" : "ffmpeg says: " + last;
+    return complaintOf(all.substr(all.rfind('\n') + 1));
 }
 
 std::optional<std::string> Video::makeGif() const
@@ -254,7 +258,7 @@ std::optional<std::string> Video::makeGif() const
     {
         return std::nullopt;
     }
-    return run.said.empty() ? "ffmpeg ended early" : "ffmpeg says: " + run.said;
+    return complaintOf(run.said);
 }
 
 void Video::finish()

@@ -268,6 +268,7 @@ void FrameDrawer::checkForBlank()
     // is closed before: there is never more than one.
     RenderSettings small = settings_;
     small.style.legend = false;
+    small.style.ambientOcclusion = false; // hides nothing, and takes time
     small.samples = 1;
     small.supersample = 1;
     small.size.height = std::clamp(kLookWidth * small.size.height / small.size.width, 8, 2560);
