@@ -130,7 +130,7 @@ struct Style
     EdgeLines edges = EdgeLines::automatic;
     std::optional<double> shellOpacity; ///< 0..1 of the shell where it is seen straight on; if not
                                         ///< given, the palette's
-    bool ambientOcclusion = false;      ///< spheres keep light from each other, as in the studio
+    bool ambientOcclusion = false;      ///< between spheres, as in the style studio
     bool ground = true; ///< the studio's, with the shadow of the object; not if the object moves
 };
 

@@ -71,8 +71,8 @@ int fromEnvironment(const char* name)
     return std::max(0, number);
 }
 
-/// What Slurm has given: to each task if that was asked for, otherwise to the job on this node.
-/// Clusters that do not bind tasks to cores say it nowhere else.
+/// Returns the cores that Slurm gives to each task, or else to the job on this node. Clusters that
+/// do not bind tasks to cores tell them nowhere else.
 int coresOfSlurm()
 {
     const int perTask = fromEnvironment("SLURM_CPUS_PER_TASK");

@@ -18,8 +18,9 @@
 namespace frostfill
 {
 
-/// Cores that this process may use, at least 1: the smallest of the machine's, those it is bound
-/// to, the quota of its control group, and what Slurm has given to its task.
+/// Returns how many cores this process may use, at least 1: the smallest of the machine's cores,
+/// the cores it is bound to, the quota of its control group, and the cores that Slurm gives to its
+/// task.
 [[nodiscard]] int coresAtHand();
 
 /// Memory that this process may have, and what bounds it.

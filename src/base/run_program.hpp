@@ -30,7 +30,7 @@ private:
     int error_;
 };
 
-/// What a program gets for its standard streams. -1: nothing.
+/// Descriptors that a program gets as its standard streams; -1 for none.
 struct ProgramStreams
 {
     int input = -1;

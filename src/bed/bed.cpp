@@ -47,7 +47,7 @@ TriangleMesh withoutDust(TriangleMesh mesh)
     return mesh;
 }
 
-/// Of each triangle, by the flat ends of the mesh.
+/// Returns the kind of each triangle: the flat ends of the mesh are inlet and outlet.
 std::vector<PatchKind> kindsByEnds(const TriangleMesh& mesh, const Eigen::Vector3d& up)
 {
     double low = std::numeric_limits<double>::infinity();
@@ -73,8 +73,9 @@ std::vector<PatchKind> kindsByEnds(const TriangleMesh& mesh, const Eigen::Vector
     return kinds;
 }
 
-/// Of each triangle. A part called inlet or outlet is that, wherever it is. One of which all is of
-/// one kind gives its name to it; of one that has ends and walls, the ends have names of their own.
+/// Returns the patch of each triangle. A part called inlet or outlet is that patch, wherever it is.
+/// A part of one kind gives its name to the patch; the ends of a part with ends and walls keep
+/// theirs.
 std::vector<BedPatch> patchesOf(const BedContainer& container, const Eigen::Vector3d& up)
 {
     std::vector<PatchKind> kinds = kindsByEnds(container.mesh, up);

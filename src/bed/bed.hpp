@@ -22,7 +22,7 @@
 namespace frostfill
 {
 
-/// What flow does at a part of the surface.
+/// The role of a part of the surface in a flow.
 enum class PatchKind : std::uint8_t
 {
     inlet,  ///< the flat foot of the container, if it has one

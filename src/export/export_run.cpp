@@ -54,7 +54,7 @@ std::vector<std::size_t> selectedFrames(const RunFileReader& reader, const std::
     return chosen;
 }
 
-/// Those of the mesh that have names, however the head may be damaged.
+/// Reads the named patches of the mesh. Skips entries of a damaged head.
 void readPatches(const nlohmann::ordered_json& head, ExportedRun& run)
 {
     std::size_t left = run.mesh.triangles.size() - run.lids;

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-/// What of a mesh is connected with what: over edges, over vertices, and in the end.
+/// The connections of a mesh: over edges, over vertices, and into connected sets.
 namespace frostfill
 {
 

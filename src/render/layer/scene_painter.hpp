@@ -62,7 +62,7 @@ public:
     void paintShell(std::span<const TriangleTiles::Part> parts);
     void paintLegend();
 
-    /// What is at rest, which keeps light from what is painted; none if nothing does.
+    /// Returns the spheres at rest as occluders; null without ambient occlusion.
     [[nodiscard]] SphereOcclusion* sphereOcclusion()
     {
         return sphereOcclusion_ ? &*sphereOcclusion_ : nullptr;

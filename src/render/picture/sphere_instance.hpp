@@ -22,7 +22,7 @@ struct SphereInstance
     friend bool operator==(const SphereInstance&, const SphereInstance&) = default;
 };
 
-/// What keeps light from one sphere.
+/// The ambient occlusion of one sphere.
 struct SphereLight
 {
     /// The neighbours that hide most from it: the way to their centres and their radii, over
@@ -59,8 +59,8 @@ struct ShaderVariant
     bool cutaway = false;
     bool outlines = false;    ///< around every sphere: for print
     bool fadingLines = false; ///< the shell's lines suit triangles of any size
-    bool occlusion = false;   ///< spheres keep light from each other
-    bool studio = false;      ///< they do, and there is a lamp
+    bool occlusion = false;   ///< with ambient occlusion
+    bool studio = false;      ///< with that and a lamp
 };
 
 /// For passes that show no colours.

@@ -24,8 +24,8 @@ struct LightsOfSpheres
     std::span<const std::uint32_t> slots; ///< [spheres] index of its light, or kNone
     std::span<const SphereLight> lights;
 
-    /// Null where spheres keep no light off. What was never asked for has the light that nothing
-    /// keeps off.
+    /// Returns null without ambient occlusion, and full light for a sphere that was never asked
+    /// for.
     [[nodiscard]] const SphereLight* of(std::size_t sphere) const
     {
         static const SphereLight kOpen;
@@ -44,8 +44,8 @@ public:
     /// Nor of the lamp, when they are further than this in its direction.
     static constexpr float kLampReach = 7;
 
-    /// `towardsLamp` is a unit vector, or 0 if there is no lamp. What a cut takes away keeps no
-    /// light off.
+    /// `towardsLamp` is a unit vector, or 0 if there is no lamp. Spheres that a cut
+    /// removes occlude nothing.
     SphereOcclusion(const glm::vec3& towardsLamp, const std::optional<CutPlanes>& cut);
 
     /// Takes these and no others, which have indices in this order from now on. What is known of

@@ -45,7 +45,7 @@ public:
     {
         return tiles_[tile].hides(sphere, grid_.part(tile));
     }
-    /// What reaches a sphere that is not at rest; none where spheres keep no light off.
+    /// Returns the occlusion of a running sphere; none in pictures without ambient occlusion.
     [[nodiscard]] std::optional<SphereLight> lightOn(const SphereInstance& sphere,
                                                      const SphereBounds& placed);
 
@@ -67,7 +67,7 @@ private:
     PictureSize size_;
     Colour background_;
     std::optional<Studio> studio_;
-    std::optional<SphereOcclusion> sphereOcclusion_; ///< if spheres keep light from each other
+    std::optional<SphereOcclusion> sphereOcclusion_; ///< with ambient occlusion
     const TileView* view_ = nullptr;
     std::span<const SphereInstance> resting_;
     std::span<const SphereCell> cells_;

@@ -23,7 +23,7 @@ struct RestingSpheres
 {
     std::span<const SphereInstance> spheres;
     std::span<const SphereBounds> placed; ///< [spheres that are in no cell]
-    LightsOfSpheres lights;               ///< if they keep light from each other
+    LightsOfSpheres lights;               ///< with ambient occlusion
     std::span<const SphereCell> cells = {};
     std::span<const SphereBounds> placedCells = {}; ///< [cells]
     const TileView* view = nullptr;                 ///< with cells

@@ -73,8 +73,8 @@ FROSTFILL_INLINE Words finished(const SphereSetup& s, const Normals& normals, co
     return inBytes(lit + s.look.haze + glossOf(s.look, dot(normals, s.highlight)));
 }
 
-/// Multiplies by what neighbours let through of the sky and, with `facing` the cosine between
-/// normal and lamp, of the lamp.
+/// Multiplies the light of the sky, and that of the lamp, by the share that neighbours let through.
+/// `facing`: the cosine of the angle between normal and lamp.
 template <bool withLamp>
 FROSTFILL_INLINE void takeLight(const SphereRaster::Lighting& l, const Normals& normals,
                                 Floats facing, Floats& sky, Floats& lamp)
@@ -92,7 +92,7 @@ FROSTFILL_INLINE void takeLight(const SphereRaster::Lighting& l, const Normals& 
     }
 }
 
-/// With or without what neighbours keep off.
+/// The look of all styles but the studio, with or without ambient occlusion.
 template <bool occluded>
 struct InClean
 {

@@ -47,7 +47,7 @@ public:
                                                  const ShaderVariant& variant,
                                                  const PictureSize& size, bool avx2);
 
-    /// `pixels` is the sphere's rectangle in the picture. `light`: if neighbours keep any off.
+    /// `pixels` is the sphere's rectangle in the picture. `light`: with ambient occlusion.
     void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
               SampleTile& tile, const SphereLight* light = nullptr) const;
 
@@ -84,7 +84,7 @@ public:
         std::array<float, kMaxTileSamples> acrossAt, aboveAt, alongAt; ///< from a pixel's middle
     };
 
-    /// What neighbours take away, and the studio adds. Lengths are in the radius.
+    /// Occlusion by neighbours, and the lamp of the studio. Lengths are in the radius.
     struct Lighting
     {
         struct Occluder
