@@ -38,7 +38,7 @@ struct BedPatch
     PatchKind kind = PatchKind::wall;
     std::string name;
 
-    auto operator<=>(const BedPatch&) const = default;
+    auto operator<=>(const BedPatch&) const = default; // NOLINT(modernize-use-nullptr): of 14
 };
 
 /// A closed mesh, wound outwards, which may have been read in parts.
