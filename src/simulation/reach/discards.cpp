@@ -32,28 +32,11 @@ bool wakesEverything(const Scene& scene)
            scene.motion.mode == Motion::granular;
 }
 
-/// Whether some cubes of a set may be in a box.
-bool hasAny(const Cubes& cubes, const CubeSet& set, const Eigen::AlignedBox3d& box)
-{
-    const GridPlace low = cubes.frame().coordinates(box.min());
-    const GridPlace high = cubes.frame().coordinates(box.max());
-    for (int z = low[2]; z <= high[2]; ++z)
-    {
-        for (int y = low[1]; y <= high[1]; ++y)
-        {
-            if (cubes.any(set, y, z, {low[0], high[0]}))
-            {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
 } // namespace
 
 Discards::Discards(World& world)
-    : world_(world), search_(world.spheres.resting(), world.triangles, world.radii.smallest()),
+    : world_(world), threads_(world.scene.threads),
+      search_(world.spheres.resting(), world.triangles, world.radii.smallest()),
       isOff_(!isExact(world)),
       step_(static_cast<std::uint32_t>(std::max<std::size_t>(1, expectedCount(world) / kMarks)))
 {
@@ -84,43 +67,42 @@ void Discards::update()
     {
         return;
     }
+    const SphereGrid& resting = world_.spheres.resting();
     const std::uint32_t before = std::exchange(mark_, mark);
     for (std::uint32_t row = before; row < mark; ++row)
     {
-        close(world_.spheres.resting()[row]);
+        spheres_.push_back({row, kUnknown});
     }
-    discardFrom(before);
+    forEachBySlab(
+        resting, mark - before, threads_, [&](std::uint32_t k) { return before + k; },
+        [&](std::uint32_t k) { close(resting[before + k]); });
+    discard();
 }
 
-// Of the spheres those that came to rest from a row on have not been looked at yet.
-void Discards::discardFrom(std::uint32_t newest)
+void Discards::discard()
 {
     const SphereGrid& resting = world_.spheres.resting();
-    const auto sphereGoes = [&](Kept& kept)
-    {
-        const Ball& ball = resting[kept.index];
-        const bool goes = !(isOpen(kept.witness) || canBeTouched(ball, kept.witness));
-        if (goes)
+    forEachBySlab(
+        resting, spheres_.size(), threads_, [&](std::uint32_t k) { return spheres_[k].index; },
+        [&](std::uint32_t k)
         {
-            world_.spheres.discard(resting.id(kept.index));
-        }
-        return goes;
-    };
-    std::erase_if(spheres_, sphereGoes);
-    for (std::uint32_t row = newest; row < mark_; ++row)
-    {
-        Kept kept{row, kUnknown};
-        if (!sphereGoes(kept))
-        {
-            spheres_.push_back(kept);
-        }
-    }
+            Kept& kept = spheres_[k];
+            kept.stays = isOpen(kept.witness) || canBeTouched(resting[kept.index], kept.witness);
+        });
+    std::erase_if(spheres_,
+                  [&](const Kept& kept)
+                  {
+                      if (!kept.stays)
+                      {
+                          world_.spheres.discard(resting.id(kept.index));
+                      }
+                      return !kept.stays;
+                  });
     before_ = kUnknown;
     std::erase_if(polygons_,
                   [&](Kept& kept)
                   {
-                      const bool goes =
-                          !(isOpen(kept.witness) || canBeTouched(kept.index, kept.witness));
+                      const bool goes = !canBeTouched(kept.index, kept.witness);
                       if (goes)
                       {
                           world_.discardPolygon(kept.index);
@@ -145,9 +127,8 @@ bool Discards::findOpenCubes()
 {
     if (!open_)
     {
-        Threads threads(world_.scene.threads);
         open_ = openCubesOf(world_.surface, world_.inside, world_.radii.smallest(), kMostMapBytes,
-                            threads)
+                            threads_)
                     .open;
         isOff_ = !open_;
     }
@@ -180,7 +161,9 @@ bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness)
     const double reach = ball.radius + world_.radii.largest() + kDiscardGap;
     const double ofPart = reach + ClearSearch::reachOfPart(open_->cubes.frame().cell);
     const Eigen::Vector3d centre = ball.position();
-    if (!hasAny(open_->cubes, open_->inside, {centre.array() - reach, centre.array() + reach}))
+    const GridFrame& frame = open_->cubes.frame();
+    if (!open_->cubes.any(open_->inside, frame.coordinates(centre.array() - reach),
+                          frame.coordinates(centre.array() + reach)))
     {
         return false;
     }
@@ -189,7 +172,7 @@ bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness)
         witness = part; // the last one that is asked for is the one that is found
         return (part - centre).squaredNorm() <= ofPart * ofPart;
     };
-    return findRowOfBall(open_->cubes.frame(), centre, reach, kMeetsBall,
+    return findRowOfBall(frame, centre, reach, kMeetsBall,
                          [&](int y, int z, CellRun run)
                          {
                              return findPlace(
@@ -211,22 +194,20 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
         return near.isNear(polygon, part);
     };
     // Polygons follow each other in a mesh as they lie beside each other in the object.
-    if (!std::isnan(before_.x()) && isNear(before_))
+    if (!std::isnan(before_.x()) && near.isNear(polygon, before_))
     {
+        witness = before_;
         return true;
     }
-    bool found = false;
+    bool found = isOpen(witness);
     forEachRunNear(
         cubes.frame(), world_.surface, group, reach + kHalfDiagonal * cubes.frame().cell,
         [&](int y, int z, CellRun run, auto&& isCubeNear)
         { found = found || findPlace(y, z, run, isCubeNear, isNear); },
-        [&](int y, int z, int last, CellRun most)
+        [&](const CellRange& range)
         {
-            while (z <= last && (found || !cubes.any(open_->inside, y, z, most)))
-            {
-                ++z;
-            }
-            return z;
+            return !found && cubes.any(open_->inside, {range.low[0], range.low[1], range.low[2]},
+                                       {range.high[0], range.high[1], range.high[2]});
         });
     before_ = found ? witness : before_;
     return found;
@@ -234,8 +215,8 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
 
 // Whether one of the cubes of a row that are near may hold a place in a part that is near. Cubes
 // that hold none at all are closed.
-template <class IsCubeNear>
-bool Discards::findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear, const IsNear& isNear)
+template <class IsCubeNear, class IsNear>
+bool Discards::findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear, IsNear&& isNear)
 {
     const Cubes& cubes = open_->cubes;
     bool found = false;
