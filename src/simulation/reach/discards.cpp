@@ -9,12 +9,17 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace frostfill
 {
 namespace
 {
+
+/// New spheres that are looked at together. Larger: more memory, for those that go at once.
+constexpr std::uint32_t kBatch = 1U << 12U;
 
 const Eigen::Vector3d kUnknown = Eigen::Vector3d::Constant(std::nan(""));
 
@@ -32,6 +37,18 @@ bool wakesEverything(const Scene& scene)
            scene.motion.mode == Motion::granular;
 }
 
+/// Calls body(first, end) for rows from `first` on, some at a time: of those that are looked at for
+/// the first time most go, and those that stay take little memory.
+template <class Body>
+void forEachRowPart(std::uint32_t first, std::uint32_t end, Body&& body)
+{
+    constexpr std::uint32_t kTogether = 1U << 14;
+    for (; first < end; first += std::min(kTogether, end - first))
+    {
+        body(first, first + std::min(kTogether, end - first));
+    }
+}
+
 } // namespace
 
 Discards::Discards(World& world)
@@ -42,7 +59,7 @@ Discards::Discards(World& world)
 {
     for (std::uint32_t k = 0; !isOff_ && k < world.polygons.size(); ++k)
     {
-        polygons_.push_back({k, kUnknown});
+        polygons_.push_back({k, true, kUnknown});
     }
 }
 
@@ -69,35 +86,54 @@ void Discards::update()
     }
     const SphereGrid& resting = world_.spheres.resting();
     const std::uint32_t before = std::exchange(mark_, mark);
-    for (std::uint32_t row = before; row < mark; ++row)
-    {
-        spheres_.push_back({row, kUnknown});
-    }
-    forEachBySlab(
-        resting, mark - before, threads_, [&](std::uint32_t k) { return before + k; },
-        [&](std::uint32_t k) { close(resting[before + k]); });
-    discard();
+    forEachRowPart(before, mark,
+                   [&](std::uint32_t first, std::uint32_t end)
+                   {
+                       forEachBySlab(
+                           resting, end - first, threads_,
+                           [&](std::uint32_t k) { return first + k; },
+                           [&](std::uint32_t k) { close(resting[first + k]); });
+                   });
+    discardSpheres(0);
+    forEachRowPart(before, mark,
+                   [&](std::uint32_t first, std::uint32_t end)
+                   {
+                       const std::size_t known = spheres_.size();
+                       for (std::uint32_t row = first; row < end; ++row)
+                       {
+                           spheres_.push_back({row, true, kUnknown});
+                       }
+                       discardSpheres(known);
+                   });
+    discardPolygons();
 }
 
-void Discards::discard()
+void Discards::discardSpheres(std::size_t first)
 {
     const SphereGrid& resting = world_.spheres.resting();
+    const std::span<Kept> some = std::span(spheres_).subspan(first);
     forEachBySlab(
-        resting, spheres_.size(), threads_, [&](std::uint32_t k) { return spheres_[k].index; },
+        resting, some.size(), threads_, [&](std::uint32_t k) { return some[k].index; },
         [&](std::uint32_t k)
         {
-            Kept& kept = spheres_[k];
+            Kept& kept = some[k];
             kept.stays = isOpen(kept.witness) || canBeTouched(resting[kept.index], kept.witness);
         });
-    std::erase_if(spheres_,
-                  [&](const Kept& kept)
-                  {
-                      if (!kept.stays)
-                      {
-                          world_.spheres.discard(resting.id(kept.index));
-                      }
-                      return !kept.stays;
-                  });
+    const auto goes = [&](const Kept& kept)
+    {
+        if (!kept.stays)
+        {
+            world_.spheres.discard(resting.id(kept.index));
+        }
+        return !kept.stays;
+    };
+    spheres_.erase(
+        std::remove_if(spheres_.begin() + static_cast<std::ptrdiff_t>(first), spheres_.end(), goes),
+        spheres_.end());
+}
+
+void Discards::discardPolygons()
+{
     before_ = kUnknown;
     std::erase_if(polygons_,
                   [&](Kept& kept)
@@ -199,7 +235,13 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
         witness = before_;
         return true;
     }
-    bool found = isOpen(witness);
+    // Most that can be touched can be where a sphere touches their middle from inside.
+    const TriangleBound& bound = world_.surface.bound(polygon);
+    const GridPlace beside = cubes.frame().coordinates(
+        bound.centre + (world_.radii.smallest() + kDiscardGap) * bound.normal);
+    bool found = isOpen(witness) || findPlace(
+                                        beside[1], beside[2], {beside[0], beside[0]},
+                                        [](int) { return true; }, isNear);
     forEachRunNear(
         cubes.frame(), world_.surface, group, reach + kHalfDiagonal * cubes.frame().cell,
         [&](int y, int z, CellRun run, auto&& isCubeNear)

@@ -40,8 +40,8 @@ private:
     struct Kept
     {
         std::uint32_t index;
+        bool stays;              ///< it can be touched
         Eigen::Vector3d witness; ///< of a part of a cube, from which it can be touched; else NaN
-        bool stays = true;       ///< it can be touched
     };
     [[nodiscard]] bool isOpen(const Eigen::Vector3d& witness) const;
     [[nodiscard]] bool canBeTouched(const Ball& ball, Eigen::Vector3d& witness);
@@ -49,7 +49,9 @@ private:
     template <class IsCubeNear, class IsNear>
     [[nodiscard]] bool findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear,
                                  IsNear&& isNear);
-    void discard();
+    /// Looks at `spheres_` from `first` on.
+    void discardSpheres(std::size_t first);
+    void discardPolygons();
 
     World& world_;
     Threads threads_;
