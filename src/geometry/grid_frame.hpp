@@ -119,16 +119,6 @@ struct CellRun
     int last;
 };
 
-/// Of rows that a search may leave out: none.
-struct EveryRow
-{
-    template <class... Window>
-    int operator()(int, int z, int, const Window&...) const
-    {
-        return z;
-    }
-};
-
 /// Calls visit(word, bits) for the words of a row, 64 cells each, that have cells of a run: bit i
 /// of word w is cell 64 w + i.
 template <class Visit>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -88,12 +89,17 @@ public:
 
     [[nodiscard]] bool contains(const Eigen::Vector3d& p) const
     {
+        return group_.box.squaredExteriorDistance(p) <= surelyOut_ * surelyOut_ &&
+               containsNearBox(p);
+    }
+    /// The same of a point that is within the reach of the box.
+    [[nodiscard]] bool containsNearBox(const Eigen::Vector3d& p) const
+    {
         const Eigen::AlignedBox3d& box = group_.box;
-        return box.squaredExteriorDistance(p) <= surelyOut_ * surelyOut_ &&
-               ((p - box.min()).cwiseAbs().cwiseMax((p - box.max()).cwiseAbs()).squaredNorm() <=
-                    surelyIn_ * surelyIn_ ||
-                std::any_of(group_.triangles.begin(), group_.triangles.end(),
-                            [&](std::uint32_t t) { return isNear(t, p); }));
+        return (p - box.min()).cwiseAbs().cwiseMax((p - box.max()).cwiseAbs()).squaredNorm() <=
+                   surelyIn_ * surelyIn_ ||
+               std::any_of(group_.triangles.begin(), group_.triangles.end(),
+                           [&](std::uint32_t t) { return isNear(t, p); });
     }
     /// Of one triangle.
     [[nodiscard]] bool isNear(std::uint32_t triangle, const Eigen::Vector3d& p) const
@@ -118,25 +124,64 @@ struct CellRange
 {
     Eigen::Array3i low, high;
 };
+struct AnyRange
+{
+    bool operator()(const CellRange&) const { return true; }
+};
 
 /// Finds the cells of a grid whose middle is within `distance` of a group of triangles. Calls
 /// visit(y, z, run, isNear) for rows with a run of cells that may be, of which isNear(x) tells; a
-/// row may come in several runs. Only rows that are worth it: next(y, z, last, run) is the first
-/// from z to `last` that is, or last + 1.
-template <class Visit, class Next = EveryRow>
+/// row may come in several runs. Leaves out ranges that are not worth it, of those that are not
+/// halved any more.
+template <class Visit, class IsWorthIt = AnyRange>
 void forEachRunNear(const GridFrame& frame, const Surface& surface, const TriangleGroup& group,
-                    double distance, Visit&& visit, Next&& next = {})
+                    double distance, Visit&& visit, IsWorthIt&& isWorthIt = {})
 {
-    constexpr int kFewCells = 8; // along an axis, up to which a range is not halved
+    constexpr int kFewCells = 10; // along an axis, up to which a range is not halved
     const NearGroup near(surface, group, distance);
+    const double far = distance + kFilterRounding * frame.cell;
+    const Eigen::AlignedBox3d& box = group.box;
+    const auto squareBeside = [&](double p, int axis)
+    {
+        const double outside = std::max({0.0, box.min()[axis] - p, p - box.max()[axis]});
+        return outside * outside;
+    };
+    const TriangleBound& bound = surface.bound(group.triangles[0]);
+    const bool isPlane = group.triangles.size() == 1 && bound.normal.x() != 0;
+    // Middles of cells of a row that are within the distance of the box, and of a triangle's plane.
+    const auto runOf = [&](const CellRange& range, const Eigen::Vector3d& row)
+    {
+        const double left = far * far - squareBeside(row.y(), 1) - squareBeside(row.z(), 2);
+        if (left < 0)
+        {
+            return CellRun{0, -1};
+        }
+        const double along = std::sqrt(left);
+        double from = box.min().x() - along;
+        double to = box.max().x() + along;
+        if (isPlane)
+        {
+            const double inPlane =
+                row.x() + (bound.offset - bound.normal.dot(row)) / bound.normal.x();
+            const double beside = far / std::abs(bound.normal.x());
+            from = std::max(from, inPlane - beside);
+            to = std::min(to, inPlane + beside);
+        }
+        const auto [first, last] = frame.centresWithin(0, from, to);
+        return CellRun{std::max(first, range.low[0]), std::min(last, range.high[0])};
+    };
     const auto visitRows = [&](const CellRange& range)
     {
-        const CellRun run{range.low[0], range.high[0]};
         for (int y = range.low[1]; y <= range.high[1]; ++y)
         {
-            for (int z = range.low[2]; (z = next(y, z, range.high[2], run)) <= range.high[2]; ++z)
+            for (int z = range.low[2]; z <= range.high[2]; ++z)
             {
-                visit(y, z, run, [&](int x) { return near.contains(frame.centre(x, y, z)); });
+                const CellRun run = runOf(range, frame.centre(0, y, z));
+                if (run.first <= run.last)
+                {
+                    visit(y, z, run,
+                          [&](int x) { return near.containsNearBox(frame.centre(x, y, z)); });
+                }
             }
         }
     };
@@ -148,7 +193,10 @@ void forEachRunNear(const GridFrame& frame, const Surface& surface, const Triang
         const int longest = (range.high - range.low + 1).maxCoeff(&axis);
         if (group.triangles.size() > 1 || longest <= kFewCells)
         {
-            visitRows(range);
+            if (isWorthIt(range))
+            {
+                visitRows(range);
+            }
             return;
         }
         CellRange lower = range;
@@ -168,11 +216,10 @@ void forEachRunNear(const GridFrame& frame, const Surface& surface, const Triang
         }
     };
     CellRange all{};
-    const double far = distance + kFilterRounding * frame.cell;
     for (int axis = 0; axis < 3; ++axis)
     {
         const auto [first, last] =
-            frame.centresWithin(axis, group.box.min()[axis] - far, group.box.max()[axis] + far);
+            frame.centresWithin(axis, box.min()[axis] - far, box.max()[axis] + far);
         all.low[axis] = first;
         all.high[axis] = last;
     }

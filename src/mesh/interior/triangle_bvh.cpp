@@ -337,38 +337,6 @@ void TriangleBvh::findNear(const Eigen::Vector3d& p, double distance,
     std::sort(found.begin(), found.end());
 }
 
-// Level by level, as long as they are few. A node with a leaf below it stays.
-void TriangleBvh::findNodes(const Eigen::Vector3d& p, double distance, Nodes& nodes) const
-{
-    nodes.assign(kRoot.begin(), kRoot.end());
-    const Box from = around(Eigen::AlignedBox3d(p));
-    const float square = squareOf(distance);
-    for (std::size_t k = 0; !nodes_.empty() && k < nodes.size();)
-    {
-        const Node& node = nodes_[nodes[k]];
-        const Four squares = squaresTo(node, from);
-        std::array<std::uint32_t, kWidth> below{};
-        std::size_t count = 0;
-        bool leaf = false;
-        for (std::size_t child = 0; child < kWidth; ++child)
-        {
-            if (squares[child] <= square)
-            {
-                leaf = leaf || node.child[child].triangles > 0;
-                below[count++] = node.child[child].number;
-            }
-        }
-        if (leaf || nodes.size() - 1 + count > kMostNodes)
-        {
-            ++k;
-            continue;
-        }
-        nodes.erase(nodes.begin() + static_cast<std::ptrdiff_t>(k));
-        nodes.insert(nodes.end(), below.begin(),
-                     below.begin() + static_cast<std::ptrdiff_t>(count));
-    }
-}
-
 std::optional<NearestPoint> nearestPoint(const TriangleMesh& mesh, const TriangleBvh& bvh,
                                          const Eigen::Vector3d& p, double within)
 {

@@ -149,7 +149,7 @@ public:
     void forEachNear(const Eigen::AlignedBox3d& box, double limit, Visit&& visit) const
     {
         traverse(
-            kRoot, box, limit, [](const Node&, double) { return ~0U; },
+            box, limit, [](const Node&, double) { return ~0U; },
             [&](std::uint32_t leaf, double) { return visit(triangles(leaf)); });
     }
 
@@ -157,33 +157,14 @@ public:
     /// distance [unit]; of what seems nearest first. A negative limit ends the search. Those of a
     /// leaf are rejected by the disc around them.
     template <class Visit>
-    void forEachTriangleNear(const Eigen::Vector3d& p, double limit, Visit&& visit) const
-    {
-        forEachTriangleNear(kRoot, p, limit, visit);
-    }
+    void forEachTriangleNear(const Eigen::Vector3d& p, double limit, Visit&& visit) const;
 
-    /// Nodes below which all triangles are that may be within a distance of a place: where a search
-    /// can begin that looks no farther.
-    using Nodes = std::vector<std::uint32_t>;
-    void findNodes(const Eigen::Vector3d& p, double distance, Nodes& nodes) const;
-    /// As the other, of the triangles below the nodes.
-    template <class Visit>
-    void forEachTriangleNear(std::span<const std::uint32_t> nodes, const Eigen::Vector3d& p,
-                             double limit, Visit&& visit) const;
-
-    /// Calls `visit(triangle)` with each triangle below the nodes that may be within `distance` of
-    /// the straight way from `from` to `to` [unit]. Far fewer are than near a ball around the way,
-    /// where that is along a wall.
-    template <class Visit>
-    void forEachTriangleOnWay(std::span<const std::uint32_t> nodes, const Eigen::Vector3d& from,
-                              const Eigen::Vector3d& to, double distance, Visit&& visit) const;
-    /// The same of all triangles.
+    /// Calls `visit(triangle)` with each triangle that may be within `distance` of the straight way
+    /// from `from` to `to` [unit]. Far fewer are than near a ball around the way, where that is
+    /// along a wall.
     template <class Visit>
     void forEachTriangleOnWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                              double distance, Visit&& visit) const
-    {
-        forEachTriangleOnWay(kRoot, from, to, distance, visit);
-    }
+                              double distance, Visit&& visit) const;
 
     /// The triangles that may be within `distance` of p, ascending, in place of what `found` had.
     void findNear(const Eigen::Vector3d& p, double distance,
@@ -199,11 +180,9 @@ public:
     }
 
 private:
-    static constexpr std::size_t kWidth = 4;      // children
-    static constexpr std::size_t kInLeaf = 4;     // triangles at most
-    static constexpr std::size_t kDeepest = 128;  // pending children: 3 a level, 2^32 triangles
-    static constexpr std::size_t kMostNodes = 16; // of findNodes
-    static constexpr std::array<std::uint32_t, 1> kRoot = {0};
+    static constexpr std::size_t kWidth = 4;     // children
+    static constexpr std::size_t kInLeaf = 4;    // triangles at most
+    static constexpr std::size_t kDeepest = 128; // pending children: 3 a level, 2^32 triangles
     /// By which coordinates and squared distances may be wrong, twofold. [1]
     static constexpr double kGrow = 0x1p-23;
     static constexpr double kRounding = FourDiscs::kRounding;
@@ -263,8 +242,8 @@ private:
     /// Calls `limit = visit(leaf, limit)` for each that the boxes and select(node, limit), a bit
     /// for each child, do not rule out.
     template <class Select, class Visit>
-    void traverse(std::span<const std::uint32_t> nodes, const Eigen::AlignedBox3d& box,
-                  double limit, Select&& select, Visit&& visit) const;
+    void traverse(const Eigen::AlignedBox3d& box, double limit, Select&& select,
+                  Visit&& visit) const;
 
     /// Calls visit(triangle) for those of a leaf whose bit is set.
     template <class Visit>
@@ -349,21 +328,18 @@ inline TriangleBvh::Way TriangleBvh::wayOf(const Eigen::Vector3d& from, const Ei
 }
 
 template <class Select, class Visit>
-void TriangleBvh::traverse(std::span<const std::uint32_t> nodes, const Eigen::AlignedBox3d& box,
-                           double limit, Select&& select, Visit&& visit) const
+void TriangleBvh::traverse(const Eigen::AlignedBox3d& box, double limit, Select&& select,
+                           Visit&& visit) const
 {
     if (nodes_.empty())
     {
         return;
     }
     std::array<Pending, kDeepest> pending;
-    std::size_t count = 0;
+    pending[0] = {0, {0, 0}}; // the root
+    std::size_t count = 1;
     const Box from = around(box);
     float square = squareOf(limit);
-    for (const std::uint32_t node : nodes)
-    {
-        pending[count++] = {0, {node, 0}};
-    }
     while (count > 0)
     {
         const Pending next = pending[--count];
@@ -400,8 +376,7 @@ void TriangleBvh::traverse(std::span<const std::uint32_t> nodes, const Eigen::Al
 }
 
 template <class Visit>
-void TriangleBvh::forEachTriangleNear(std::span<const std::uint32_t> nodes,
-                                      const Eigen::Vector3d& p, double limit, Visit&& visit) const
+void TriangleBvh::forEachTriangleNear(const Eigen::Vector3d& p, double limit, Visit&& visit) const
 {
     const Point point = pointOf(p);
     const auto select = [&](const Node& node, double within)
@@ -416,12 +391,11 @@ void TriangleBvh::forEachTriangleNear(std::span<const std::uint32_t> nodes,
                   [&](std::uint32_t triangle) { within = visit(triangle); });
         return within;
     };
-    traverse(nodes, Eigen::AlignedBox3d(p), limit, select, visitLeaf);
+    traverse(Eigen::AlignedBox3d(p), limit, select, visitLeaf);
 }
 
 template <class Visit>
-void TriangleBvh::forEachTriangleOnWay(std::span<const std::uint32_t> nodes,
-                                       const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+void TriangleBvh::forEachTriangleOnWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                        double distance, Visit&& visit) const
 {
     const Way way = wayOf(from, to, distance);
@@ -432,7 +406,7 @@ void TriangleBvh::forEachTriangleOnWay(std::span<const std::uint32_t> nodes,
         forEachOf(leaf, leaves_[leaf].mayBeOnWay(Four{}, way), visit);
         return limit;
     };
-    traverse(nodes, Eigen::AlignedBox3d(from.cwiseMin(to), from.cwiseMax(to)), distance, select,
+    traverse(Eigen::AlignedBox3d(from.cwiseMin(to), from.cwiseMax(to)), distance, select,
              visitLeaf);
 }
 

@@ -21,6 +21,7 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
     const auto enterGroup = [&](const TriangleGroup& group)
     {
         const NearGroup near(surface, group, reachOfCentre());
+        const bool isAlone = group.triangles.size() == 1;
         const auto enter = [&](int x, int y, int z)
         {
             const std::size_t cell = cells_.obtain(x, y, z);
@@ -28,26 +29,38 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
             for (const std::uint32_t t : group.triangles)
             {
                 if (counts[cell] <= kShortList &&
-                    (group.triangles.size() == 1 || near.isNear(t, frame_.centre(x, y, z))))
+                    (isAlone || near.isNear(t, frame_.centre(x, y, z))))
                 {
                     ++counts[cell];
                     entries.push_back({static_cast<std::uint32_t>(cell), t});
                 }
             }
         };
-        forEachRunNear(frame_, surface, group, reachOfCentre(),
-                       [&](int y, int z, CellRun run, auto&& isNear)
-                       {
-                           for (int x = run.first; x <= run.last; ++x)
-                           {
-                               const std::size_t cell = cells_.find(x, y, z);
-                               if ((cell == Cells::kNone || counts[cell] <= kShortList) &&
-                                   isNear(x))
-                               {
-                                   enter(x, y, z);
-                               }
-                           }
-                       });
+        const auto isFull = [&](int x, int y, int z)
+        {
+            const std::size_t cell = cells_.find(x, y, z);
+            return cell != Cells::kNone && counts[cell] > kShortList;
+        };
+        const auto enterRun = [&](int y, int z, CellRun run, auto&& isNear)
+        {
+            // What is near one triangle is convex: of a row all cells between two that are.
+            while (isAlone && run.first <= run.last && !isNear(run.first))
+            {
+                ++run.first;
+            }
+            while (isAlone && run.first < run.last && !isNear(run.last))
+            {
+                --run.last;
+            }
+            for (int x = run.first; x <= run.last; ++x)
+            {
+                if (isAlone || (!isFull(x, y, z) && isNear(x)))
+                {
+                    enter(x, y, z);
+                }
+            }
+        };
+        forEachRunNear(frame_, surface, group, reachOfCentre(), enterRun);
     };
     forEachGroup(surface, frame.cell, enterGroup);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/buckets.hpp"
+#include "base/threads.hpp"
 
 #include <frostfill/mesh.hpp>
 
@@ -83,5 +84,13 @@ private:
     std::array<int, 2> count_ = {1, 1};  ///< of columns
     Buckets<std::uint32_t> columns_;     ///< of triangles
 };
+
+/// Volume of the points whose winding number is above kInsideFrom [unit^3], for closed meshes that
+/// cross themselves, whose signed volume counts some parts twice. By a grid of rays: the relative
+/// error is below 1e-4 for the tested shapes. A mesh without crossings has signedVolume, which is
+/// exact.
+[[nodiscard]] double interiorVolume(const TriangleMesh& mesh);
+/// The same number on several threads.
+[[nodiscard]] double interiorVolume(const TriangleMesh& mesh, Threads& threads);
 
 } // namespace frostfill

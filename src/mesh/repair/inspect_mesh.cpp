@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/mesh_size.hpp"
+#include "mesh/interior/winding_columns.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 #include <fmt/format.h>

@@ -52,7 +52,7 @@ bool NeighbourList::ensure(const World& world, const Eigen::Vector3d& p, double 
 void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, double distance)
 {
     triangles_.clear();
-    nodes_.clear();
+    dense_ = nullptr;
     const auto take = [&](std::uint32_t triangle)
     {
         if (world.surface.bound(triangle).mayBeWithin(distance, p))
@@ -74,8 +74,7 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
     world.surface.tree().forEachTriangleNear(p, distance, takeUnlessMany);
     if (triangles_.size() > kMostListed)
     {
-        world_ = &world;
-        world.surface.tree().findNodes(p, distance, nodes_);
+        dense_ = &world.surface;
         foundWithin_ = -1; // what was found so far is not all
         hasInnerSkin_ = true;
         return;
@@ -84,9 +83,9 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
 }
 
 // On a short way the sphere will soon ask for about the same again: what is a little farther is
-// found with it, as far as it is below the nodes for certain.
-void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                   double distance)
+// found with it, as far as a list would have it.
+void NeighbourList::findInTree(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                               double distance)
 {
     const double known = foundWithin_ - distance;
     if (known >= 0 && isWithin(from, foundAround_, known) && isWithin(to, foundAround_, known))
@@ -95,7 +94,7 @@ void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vec
     }
     triangles_.clear();
     const auto take = [this](std::uint32_t triangle) { triangles_.push_back(triangle); };
-    const TriangleBvh& tree = world_->surface.tree();
+    const TriangleBvh& tree = dense_->tree();
     const Eigen::Vector3d middle = (from + to) / 2;
     const double ball = distance + (to - from).norm() / 2;
     const double listed = radius_ + skin_ - (middle - centre_).norm();
@@ -104,7 +103,7 @@ void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vec
     {
         foundAround_ = middle;
         foundWithin_ = within;
-        tree.forEachTriangleNear(nodes_, middle, within,
+        tree.forEachTriangleNear(middle, within,
                                  [&](std::uint32_t triangle)
                                  {
                                      take(triangle);
@@ -115,7 +114,7 @@ void NeighbourList::findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vec
     else
     {
         foundWithin_ = -1;
-        tree.forEachTriangleOnWay(nodes_, from, to, distance, take);
+        tree.forEachTriangleOnWay(from, to, distance, take);
     }
     std::sort(triangles_.begin(), triangles_.end());
 }

@@ -14,8 +14,8 @@ namespace frostfill
 /// What a moving sphere may touch: a private copy of the spheres at rest around it, and the
 /// triangles near it. Spheres at rest never move, so the copy serves until this one sphere has
 /// moved by the skin [Verlet 1967], and no grid is touched meanwhile. Where walls are dense, as in
-/// scans, a list of them would be long, and only few of it near enough at a time: the list has the
-/// nodes of the surface's tree in their place, below which a question looks.
+/// scans, a list of them would be long, and only few of it near enough at a time: there a question
+/// asks the surface's tree.
 ///
 /// What every question reads lies in two lines of the processor's cache.
 class alignas(64) NeighbourList
@@ -46,9 +46,9 @@ public:
     [[nodiscard]] std::span<const std::uint32_t>
     trianglesOnWay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double distance)
     {
-        if (!nodes_.empty())
+        if (dense_ != nullptr)
         {
-            findBelowNodes(from, to, distance);
+            findInTree(from, to, distance);
         }
         return triangles_;
     }
@@ -70,25 +70,24 @@ private:
     /// longer. Larger: those of scans.
     static constexpr std::size_t kMostListed = 64;
 
-    /// Of what is found below the nodes, as kSkin is of what is listed. [r] Larger: more triangles
-    /// to test. Smaller: more searches.
+    /// Of what is found in the tree, as kSkin is of what is listed. [r] Larger: more triangles to
+    /// test. Smaller: more searches.
     static constexpr double kInnerSkin = 0.1;
     /// Triangles with that skin, above which a search for what is asked alone costs less.
     static constexpr std::size_t kMostWithSkin = 48;
 
     void listTriangles(const World& world, const Eigen::Vector3d& p, double distance);
-    void findBelowNodes(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double distance);
+    void findInTree(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double distance);
 
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     double radius_ = -1;
     double skin_ = kSkin; ///< of this list: less for a small sphere of a size curve
     std::vector<Ball> spheres_;
-    std::vector<std::uint32_t> triangles_; ///< all, or with nodes those last found
-    TriangleBvh::Nodes nodes_;             ///< where they are many
+    std::vector<std::uint32_t> triangles_; ///< all, or of a dense surface those last found
+    const Surface* dense_ = nullptr;       ///< where they are many
     Eigen::Vector3d foundAround_ = Eigen::Vector3d::Zero();
-    double foundWithin_ = -1;      ///< of that: which triangles below the nodes are known [r]
-    bool hasInnerSkin_ = true;     ///< what is found, of the list of now
-    const World* world_ = nullptr; ///< that the nodes are of
+    double foundWithin_ = -1;  ///< of that: which triangles are known [r]
+    bool hasInnerSkin_ = true; ///< what is found, of the list of now
 };
 
 } // namespace frostfill

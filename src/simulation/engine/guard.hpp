@@ -7,7 +7,7 @@ namespace frostfill
 {
 
 /// Watches a run of preset fast, whose spheres cannot leave the object, for one that has: a fault
-/// of ours or of the mesh. It costs a look at a grid for each running sphere and step, and a
+/// of ours or of the mesh. It takes a look at the box for each running sphere and step, and a
 /// distance to the surface for each that comes to rest.
 class Guard
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 /// The numbers of the engines' schedules. Where no source is named, the value was chosen from runs:
 /// The stress matrix of the tests and frostfill-lab tell when one is wrong. r is the largest radius
@@ -42,6 +43,9 @@ inline constexpr double kMinFalls = 4;
 /// How much faster than a fall through the whole object a sphere is before it cannot be right [1].
 /// Larger: an explosion is seen later. Smaller: a small sphere that large ones hit counts as one.
 inline constexpr double kTooFast = 10;
+/// Steps between two looks whether running spheres are outside of the object, in its box. Larger:
+/// one that has left it runs on for longer. Smaller: time.
+inline constexpr std::uint64_t kStepsPerSide = 64;
 
 // Sweeps.
 

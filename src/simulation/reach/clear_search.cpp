@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/clear_search.hpp"
 
-#include <array>
 #include <cmath>
 
 namespace frostfill
 {
 namespace
 {
-
-constexpr std::size_t kSide = ClearSearch::kSide;
 
 /// Square of the distance of a part's far side from a centre, along one axis. Both questions about
 /// parts use it, and the same sums: they have to agree to the last bit.
@@ -19,60 +16,47 @@ double farSquare(double centre, double middle, double edge)
     return apart * apart;
 }
 
-/// The parts of a cube, a bit each with x fastest, by their middles along each axis.
-struct Parts
-{
-    std::array<std::array<double, kSide>, 3> along;
-    double edge;
-
-    Parts(const Eigen::Vector3d& middle, double edgeOfCube) : along(), edge(edgeOfCube / kSide)
-    {
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-            for (std::size_t k = 0; k < kSide; ++k)
-            {
-                along[axis][k] = middle[static_cast<int>(axis)] +
-                                 edge * (static_cast<double>(k) - (kSide - 1) / 2.0);
-            }
-        }
-    }
-    [[nodiscard]] Eigen::Vector3d middle(int part) const
-    {
-        const auto its = static_cast<std::size_t>(part);
-        return {along[0][its % kSide], along[1][its / kSide % kSide],
-                along[2][its / kSide / kSide]};
-    }
-    /// Returns the parts that lie in a ball as a whole: whose farthest corner does.
-    [[nodiscard]] std::uint64_t inBall(const Eigen::Vector3d& centre, double radius) const
-    {
-        std::array<std::array<double, kSide>, 3> squares; // of the distances of far sides
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-            for (std::size_t k = 0; k < kSide; ++k)
-            {
-                squares[axis][k] = farSquare(centre[static_cast<int>(axis)], along[axis][k], edge);
-            }
-        }
-        std::uint64_t inside = 0;
-        for (std::size_t row = 0; row < kSide * kSide; ++row)
-        {
-            const double left = radius * radius - squares[1][row % kSide] - squares[2][row / kSide];
-            for (std::size_t x = 0; x < kSide; ++x)
-            {
-                inside |= std::uint64_t{squares[0][x] < left ? 1U : 0U} << (kSide * row + x);
-            }
-        }
-        return inside;
-    }
-};
-
 } // namespace
 
-ClearSearch::Place
-ClearSearch::find(const Eigen::Vector3d& middle, double edge, std::uint32_t rows,
-                  const std::function<bool(const Eigen::Vector3d&)>& isWanted) const
+CubeParts::CubeParts(const Eigen::Vector3d& middle, double edgeOfCube)
+    : along_(), edge_(edgeOfCube / kSide)
 {
-    const Parts parts(middle, edge);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        for (std::size_t k = 0; k < kSide; ++k)
+        {
+            along_[axis][k] = middle[static_cast<int>(axis)] +
+                              edge_ * (static_cast<double>(k) - (kSide - 1) / 2.0);
+        }
+    }
+}
+
+std::uint64_t CubeParts::inBall(const Eigen::Vector3d& centre, double radius) const
+{
+    std::array<std::array<double, kSide>, 3> squares; // of the distances of far sides
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+        for (std::size_t k = 0; k < kSide; ++k)
+        {
+            squares[axis][k] = farSquare(centre[static_cast<int>(axis)], along_[axis][k], edge_);
+        }
+    }
+    std::uint64_t inside = 0;
+    for (std::size_t row = 0; row < kSide * kSide; ++row)
+    {
+        const double left = radius * radius - squares[1][row % kSide] - squares[2][row / kSide];
+        for (std::size_t x = 0; x < kSide; ++x)
+        {
+            inside |= std::uint64_t{squares[0][x] < left ? 1U : 0U} << (kSide * row + x);
+        }
+    }
+    return inside;
+}
+
+// Returns the parts that no sphere excludes alone.
+std::uint64_t ClearSearch::clearOfSpheres(const CubeParts& parts, const Eigen::Vector3d& middle,
+                                          double edge, std::uint32_t rows) const
+{
     std::uint64_t left = ~std::uint64_t{0};
     const double overlap = OpenCubes::overlapOf(probe_);
     resting_.forEachNear(middle, 1 + probe_ + kHalfDiagonal * edge,
@@ -88,52 +72,34 @@ ClearSearch::find(const Eigen::Vector3d& middle, double edge, std::uint32_t rows
                                  left &= ~parts.inBall(centre, radius);
                              }
                          });
-    if (left == 0)
+    return left;
+}
+
+ClearSearch::WallBeside::WallBeside(const ClearSearch& search, const Eigen::Vector3d& middle,
+                                    double edge)
+    : search_(search),
+      exclusion_(
+          std::max(0.0, search.probe_ - OpenCubes::overlapOf(search.probe_) - reachOfPart(edge))),
+      place_(search.wallNear(middle, exclusion_ + kHalfDiagonal * edge))
+{
+    const Eigen::Vector3d away = place_ ? middle - *place_ : Eigen::Vector3d(1, 1, 1);
+    farthest_ = (away.x() < 0 ? 0U : 3U) | (away.y() < 0 ? 0U : 12U) | (away.z() < 0 ? 0U : 48U);
+}
+
+bool ClearSearch::WallBeside::excludes(const Eigen::Vector3d& part)
+{
+    if (!place_ || (part - *place_).squaredNorm() < exclusion_ * exclusion_)
     {
-        return Place::none;
+        return place_.has_value();
     }
-    // How near a wall is to the middle of a part that it excludes as a whole.
-    const double exclusion = std::max(0.0, probe_ - overlap - reachOfPart(edge));
-    // Parts beside one another are mostly excluded by the same place of a wall.
-    std::optional<Eigen::Vector3d> wall = wallNear(middle, exclusion + kHalfDiagonal * edge);
-    const bool isWalled = wall.has_value();
-    const Eigen::Vector3d away = isWalled ? middle - *wall : Eigen::Vector3d(1, 1, 1);
-    const auto isClear = [&](const Eigen::Vector3d& p)
-    {
-        if (isWalled && (p - *wall).squaredNorm() >= exclusion * exclusion)
-        {
-            const std::optional<Eigen::Vector3d> other = wallNear(p, exclusion);
-            wall = other ? other : wall;
-            return !other;
-        }
-        return !isWalled;
-    };
-    Place found = Place::none;
-    const int first = (away.x() < 0 ? 0 : 3) | (away.y() < 0 ? 0 : 12) | (away.z() < 0 ? 0 : 48);
-    for (int k = 0; k < 64; ++k)
-    {
-        const int part = first ^ k; // those away from the wall come first
-        const Eigen::Vector3d p = parts.middle(part);
-        if ((left >> part & 1) == 0)
-        {
-            continue;
-        }
-        const bool wanted = isWanted(p);
-        if ((wanted || found == Place::none) && isClear(p))
-        {
-            if (wanted)
-            {
-                return Place::wanted;
-            }
-            found = Place::elsewhere;
-        }
-    }
-    return found;
+    const std::optional<Eigen::Vector3d> other = search_.wallNear(part, exclusion_);
+    place_ = other ? other : place_;
+    return other.has_value();
 }
 
 bool ClearSearch::isStillClear(const Eigen::Vector3d& part, double edge, std::uint32_t rows) const
 {
-    const double edgeOfPart = edge / kSide;
+    const double edgeOfPart = edge / CubeParts::kSide;
     const double overlap = OpenCubes::overlapOf(probe_);
     bool isClear = true;
     resting_.forEachNear(part, 1 + probe_,

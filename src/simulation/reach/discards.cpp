@@ -9,12 +9,17 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 namespace frostfill
 {
 namespace
 {
+
+/// New spheres that are looked at together. Larger: more memory, for those that go at once.
+constexpr std::uint32_t kBatch = 1U << 12U;
 
 const Eigen::Vector3d kUnknown = Eigen::Vector3d::Constant(std::nan(""));
 
@@ -32,34 +37,29 @@ bool wakesEverything(const Scene& scene)
            scene.motion.mode == Motion::granular;
 }
 
-/// Whether some cubes of a set may be in a box.
-bool hasAny(const Cubes& cubes, const CubeSet& set, const Eigen::AlignedBox3d& box)
+/// Calls body(first, end) for rows from `first` on, some at a time: of those that are looked at for
+/// the first time most go, and those that stay take little memory.
+template <class Body>
+void forEachRowPart(std::uint32_t first, std::uint32_t end, Body&& body)
 {
-    const GridPlace low = cubes.frame().coordinates(box.min());
-    const GridPlace high = cubes.frame().coordinates(box.max());
-    for (int z = low[2]; z <= high[2]; ++z)
+    constexpr std::uint32_t kTogether = 1U << 14;
+    for (; first < end; first += std::min(kTogether, end - first))
     {
-        for (int y = low[1]; y <= high[1]; ++y)
-        {
-            if (cubes.any(set, y, z, {low[0], high[0]}))
-            {
-                return true;
-            }
-        }
+        body(first, first + std::min(kTogether, end - first));
     }
-    return false;
 }
 
 } // namespace
 
 Discards::Discards(World& world)
-    : world_(world), search_(world.spheres.resting(), world.triangles, world.radii.smallest()),
+    : world_(world), threads_(world.scene.threads),
+      search_(world.spheres.resting(), world.triangles, world.radii.smallest()),
       isOff_(!isExact(world)),
       step_(static_cast<std::uint32_t>(std::max<std::size_t>(1, expectedCount(world) / kMarks)))
 {
     for (std::uint32_t k = 0; !isOff_ && k < world.polygons.size(); ++k)
     {
-        polygons_.push_back({k, kUnknown});
+        polygons_.push_back({k, true, kUnknown});
     }
 }
 
@@ -84,43 +84,61 @@ void Discards::update()
     {
         return;
     }
+    const SphereGrid& resting = world_.spheres.resting();
     const std::uint32_t before = std::exchange(mark_, mark);
-    for (std::uint32_t row = before; row < mark; ++row)
-    {
-        close(world_.spheres.resting()[row]);
-    }
-    discardFrom(before);
+    forEachRowPart(before, mark,
+                   [&](std::uint32_t first, std::uint32_t end)
+                   {
+                       forEachBySlab(
+                           resting, end - first, threads_,
+                           [&](std::uint32_t k) { return first + k; },
+                           [&](std::uint32_t k) { close(resting[first + k]); });
+                   });
+    discardSpheres(0);
+    forEachRowPart(before, mark,
+                   [&](std::uint32_t first, std::uint32_t end)
+                   {
+                       const std::size_t known = spheres_.size();
+                       for (std::uint32_t row = first; row < end; ++row)
+                       {
+                           spheres_.push_back({row, true, kUnknown});
+                       }
+                       discardSpheres(known);
+                   });
+    discardPolygons();
 }
 
-// Of the spheres those that came to rest from a row on have not been looked at yet.
-void Discards::discardFrom(std::uint32_t newest)
+void Discards::discardSpheres(std::size_t first)
 {
     const SphereGrid& resting = world_.spheres.resting();
-    const auto sphereGoes = [&](Kept& kept)
+    const std::span<Kept> some = std::span(spheres_).subspan(first);
+    forEachBySlab(
+        resting, some.size(), threads_, [&](std::uint32_t k) { return some[k].index; },
+        [&](std::uint32_t k)
+        {
+            Kept& kept = some[k];
+            kept.stays = isOpen(kept.witness) || canBeTouched(resting[kept.index], kept.witness);
+        });
+    const auto goes = [&](const Kept& kept)
     {
-        const Ball& ball = resting[kept.index];
-        const bool goes = !(isOpen(kept.witness) || canBeTouched(ball, kept.witness));
-        if (goes)
+        if (!kept.stays)
         {
             world_.spheres.discard(resting.id(kept.index));
         }
-        return goes;
+        return !kept.stays;
     };
-    std::erase_if(spheres_, sphereGoes);
-    for (std::uint32_t row = newest; row < mark_; ++row)
-    {
-        Kept kept{row, kUnknown};
-        if (!sphereGoes(kept))
-        {
-            spheres_.push_back(kept);
-        }
-    }
+    spheres_.erase(
+        std::remove_if(spheres_.begin() + static_cast<std::ptrdiff_t>(first), spheres_.end(), goes),
+        spheres_.end());
+}
+
+void Discards::discardPolygons()
+{
     before_ = kUnknown;
     std::erase_if(polygons_,
                   [&](Kept& kept)
                   {
-                      const bool goes =
-                          !(isOpen(kept.witness) || canBeTouched(kept.index, kept.witness));
+                      const bool goes = !canBeTouched(kept.index, kept.witness);
                       if (goes)
                       {
                           world_.discardPolygon(kept.index);
@@ -145,9 +163,8 @@ bool Discards::findOpenCubes()
 {
     if (!open_)
     {
-        Threads threads(world_.scene.threads);
         open_ = openCubesOf(world_.surface, world_.inside, world_.radii.smallest(), kMostMapBytes,
-                            threads)
+                            threads_)
                     .open;
         isOff_ = !open_;
     }
@@ -180,7 +197,9 @@ bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness)
     const double reach = ball.radius + world_.radii.largest() + kDiscardGap;
     const double ofPart = reach + ClearSearch::reachOfPart(open_->cubes.frame().cell);
     const Eigen::Vector3d centre = ball.position();
-    if (!hasAny(open_->cubes, open_->inside, {centre.array() - reach, centre.array() + reach}))
+    const GridFrame& frame = open_->cubes.frame();
+    if (!open_->cubes.any(open_->inside, frame.coordinates(centre.array() - reach),
+                          frame.coordinates(centre.array() + reach)))
     {
         return false;
     }
@@ -189,7 +208,7 @@ bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness)
         witness = part; // the last one that is asked for is the one that is found
         return (part - centre).squaredNorm() <= ofPart * ofPart;
     };
-    return findRowOfBall(open_->cubes.frame(), centre, reach, kMeetsBall,
+    return findRowOfBall(frame, centre, reach, kMeetsBall,
                          [&](int y, int z, CellRun run)
                          {
                              return findPlace(
@@ -211,22 +230,26 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
         return near.isNear(polygon, part);
     };
     // Polygons follow each other in a mesh as they lie beside each other in the object.
-    if (!std::isnan(before_.x()) && isNear(before_))
+    if (!std::isnan(before_.x()) && near.isNear(polygon, before_))
     {
+        witness = before_;
         return true;
     }
-    bool found = false;
+    // Most that can be touched can be where a sphere touches their middle from inside.
+    const TriangleBound& bound = world_.surface.bound(polygon);
+    const GridPlace beside = cubes.frame().coordinates(
+        bound.centre + (world_.radii.smallest() + kDiscardGap) * bound.normal);
+    bool found = isOpen(witness) || findPlace(
+                                        beside[1], beside[2], {beside[0], beside[0]},
+                                        [](int) { return true; }, isNear);
     forEachRunNear(
         cubes.frame(), world_.surface, group, reach + kHalfDiagonal * cubes.frame().cell,
         [&](int y, int z, CellRun run, auto&& isCubeNear)
         { found = found || findPlace(y, z, run, isCubeNear, isNear); },
-        [&](int y, int z, int last, CellRun most)
+        [&](const CellRange& range)
         {
-            while (z <= last && (found || !cubes.any(open_->inside, y, z, most)))
-            {
-                ++z;
-            }
-            return z;
+            return !found && cubes.any(open_->inside, {range.low[0], range.low[1], range.low[2]},
+                                       {range.high[0], range.high[1], range.high[2]});
         });
     before_ = found ? witness : before_;
     return found;
@@ -234,8 +257,8 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
 
 // Whether one of the cubes of a row that are near may hold a place in a part that is near. Cubes
 // that hold none at all are closed.
-template <class IsCubeNear>
-bool Discards::findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear, const IsNear& isNear)
+template <class IsCubeNear, class IsNear>
+bool Discards::findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear, IsNear&& isNear)
 {
     const Cubes& cubes = open_->cubes;
     bool found = false;

@@ -6,7 +6,6 @@
 #include "simulation/world/world.hpp"
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,8 +33,6 @@ public:
     void use(OpenCubes&& open);
 
 private:
-    using IsNear = std::function<bool(const Eigen::Vector3d&)>;
-
     [[nodiscard]] std::uint32_t newestMark() const;
     [[nodiscard]] bool findOpenCubes();
     void close(const Ball& ball);
@@ -43,17 +40,21 @@ private:
     struct Kept
     {
         std::uint32_t index;
+        bool stays;              ///< it can be touched
         Eigen::Vector3d witness; ///< of a part of a cube, from which it can be touched; else NaN
     };
     [[nodiscard]] bool isOpen(const Eigen::Vector3d& witness) const;
     [[nodiscard]] bool canBeTouched(const Ball& ball, Eigen::Vector3d& witness);
     [[nodiscard]] bool canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness);
-    template <class IsCubeNear>
+    template <class IsCubeNear, class IsNear>
     [[nodiscard]] bool findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear,
-                                 const IsNear& isNear);
-    void discardFrom(std::uint32_t newest);
+                                 IsNear&& isNear);
+    /// Looks at `spheres_` from `first` on.
+    void discardSpheres(std::size_t first);
+    void discardPolygons();
 
     World& world_;
+    Threads threads_;
     ClearSearch search_;
     std::optional<OpenCubes> open_; ///< less what holds no place at the newest mark
     bool isOff_;                    ///< nothing is ever discarded

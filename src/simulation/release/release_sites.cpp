@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/release/release_sites.hpp"
 
-#include "base/buckets.hpp"
 #include "base/random.hpp"
 #include "simulation/contact/contact.hpp"
 
@@ -217,8 +216,6 @@ bool ReleaseSites::isTaken(std::size_t site) const
     return taken;
 }
 
-// On several threads every other slab first, then those between: spheres of one slab close no sites
-// that share a word with those of the next but one.
 void ReleaseSites::startSweep()
 {
     if (sweeping_)
@@ -227,26 +224,9 @@ void ReleaseSites::startSweep()
     }
     sweeping_ = true;
     const SphereGrid& resting = world_.spheres.resting();
-    const GridFrame& frame = resting.frame();
-    const int slabs = (frame.count[2] + kSlabThickness - 1) / kSlabThickness;
-    const Buckets<std::uint32_t> rows(static_cast<std::size_t>(slabs),
-                                      [&](auto&& enter)
-                                      {
-                                          for (std::uint32_t row = 0; row < resting.size(); ++row)
-                                          {
-                                              const int slab = frame.coordinate(resting[row].z, 2) /
-                                                               kSlabThickness;
-                                              enter(static_cast<std::size_t>(slab), row);
-                                          }
-                                      });
-    forEachSlab(threads_, slabs,
-                [&](int slab)
-                {
-                    for (const std::uint32_t row : rows[static_cast<std::size_t>(slab)])
-                    {
-                        sites_.close(resting[row].position(), resting[row].radius);
-                    }
-                });
+    forEachBySlab(
+        resting, resting.size(), threads_, [](std::uint32_t row) { return row; },
+        [&](std::uint32_t row) { sites_.close(resting[row].position(), resting[row].radius); });
 }
 
 std::optional<Eigen::Vector3d> ReleaseSites::sweep(double radius, const ReleaseQuery& query)

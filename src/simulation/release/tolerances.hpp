@@ -41,8 +41,6 @@ inline constexpr std::uint64_t kBatch = 256;
 /// something comes to rest. Smaller: threads wait for each other.
 inline constexpr std::size_t kFewestDrawsAhead = 16;
 inline constexpr std::size_t kDrawsAhead = 128;
-/// Layers of cells in a slab that is worth a thread's while. The answer is the same for any.
-inline constexpr int kSlabThickness = 8;
 
 /// Classes of radii at most, each of which has sites of its own. Larger: memory. Smaller: a radius
 /// is released only where a much larger one fits, and the object is not as full.

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
+#include "base/threads.hpp"
 #include "geometry/bricked_cells.hpp"
 #include "geometry/grid_frame.hpp"
 #include "mesh/interior/inside_test.hpp"
+#include "simulation/world/sphere_grid.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -93,27 +96,33 @@ public:
     /// The bits of a run that begins and ends in one word.
     [[nodiscard]] static std::uint64_t bitsOf(CellRun run)
     {
-        return ~std::uint64_t{0} >> (63 - (run.last - run.first)) << (run.first % 64);
+        return ~std::uint64_t{0} >> (63 - (run.last - run.first)) << (run.first & 63);
     }
     /// Takes cubes first..last of row (y, z) out of a set.
     void takeOut(CubeSet& set, int y, int z, CellRun run) const
     {
-        if (run.first / 64 == run.last / 64) // as nearly always
+        if (run.first >> 6 == run.last >> 6) // as nearly always
         {
-            set[word(run.first / 64, y, z)] &= ~bitsOf(run);
+            set[word(run.first >> 6, y, z)] &= ~bitsOf(run);
             return;
         }
         forEachWordOf(run, [&](int x, std::uint64_t bits) { set[word(x, y, z)] &= ~bits; });
     }
-    /// Whether cubes first..last of row (y, z) are in a set.
-    [[nodiscard]] bool any(const CubeSet& set, int y, int z, CellRun run) const
+    /// Whether some cubes from `low` to `high`, both included, are in a set.
+    [[nodiscard]] bool any(const CubeSet& set, const GridPlace& low, const GridPlace& high) const
     {
-        if (run.first <= run.last && run.first / 64 == run.last / 64) // as nearly always
-        {
-            return (set[word(run.first / 64, y, z)] & bitsOf(run)) != 0;
-        }
         std::uint64_t found = 0;
-        forEachWordOf(run, [&](int x, std::uint64_t bits) { found |= set[word(x, y, z)] & bits; });
+        forEachWordOf({low[0], high[0]},
+                      [&](int x, std::uint64_t bits)
+                      {
+                          for (int z = low[2]; z <= high[2]; ++z)
+                          {
+                              for (int y = low[1]; y <= high[1]; ++y)
+                              {
+                                  found |= set[word(x, y, z)] & bits;
+                              }
+                          }
+                      });
         return found != 0;
     }
     /// Calls visit(CubeWord) for the cubes of other words that share a face with `cubes`.
@@ -228,6 +237,35 @@ bool findRowOfBall(const GridFrame& frame, const Eigen::Vector3d& centre, double
         }
     }
     return false;
+}
+
+/// Calls body(k) for each k below `count`, which is about the sphere in row rowOf(k) of a grid.
+/// Spheres of one slab along z come one after another, and slabs as in forEachSlab: a body may
+/// change a set of cubes within some radii of its sphere, whatever the number of threads.
+template <class RowOf, class Body>
+void forEachBySlab(const SphereGrid& grid, std::size_t count, Threads& threads, RowOf&& rowOf,
+                   Body&& body)
+{
+    constexpr int kThickness = 8; // layers of cells, which are worth a thread's while
+    const int slabs = (grid.frame().count[2] + kThickness - 1) / kThickness;
+    const Buckets<std::uint32_t> bySlab(
+        static_cast<std::size_t>(slabs),
+        [&](auto&& enter)
+        {
+            for (std::uint32_t k = 0; k < count; ++k)
+            {
+                const int slab = grid.frame().coordinate(grid[rowOf(k)].z, 2) / kThickness;
+                enter(static_cast<std::size_t>(slab), k);
+            }
+        });
+    forEachSlab(threads, slabs,
+                [&](int slab)
+                {
+                    for (const std::uint32_t k : bySlab[static_cast<std::size_t>(slab)])
+                    {
+                        body(k);
+                    }
+                });
 }
 
 } // namespace frostfill

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/world/frame_of_run.hpp"
 
-#include "mesh/interior/mesh_size.hpp"
 #include "simulation/world/tolerances.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/mesh_size.hpp"
+#include "mesh/interior/winding_columns.hpp"
 #include "support/shapes.hpp"
 
 #include <gtest/gtest.h>

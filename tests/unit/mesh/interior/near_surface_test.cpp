@@ -135,7 +135,7 @@ TEST(NearSurface, OfALongTriangleLooksAtRowsBesideIt)
     EXPECT_LT(runs, 300000u); // of eight cells at most; its box has 1.7e7 rows
 }
 
-TEST(NearSurface, LooksOnlyAtRowsThatAreWorthIt)
+TEST(NearSurface, LooksOnlyAtRangesThatAreWorthIt)
 {
     for (const double size : {90.0, 3.0}) // of a triangle that is halved, and of one that is not
     {
@@ -143,32 +143,41 @@ TEST(NearSurface, LooksOnlyAtRowsThatAreWorthIt)
         const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5);
         const std::array<std::uint32_t, 1> only = {0};
         const TriangleGroup group{only, surface.box()};
-        const auto isWorth = [](int y, int z) { return (3 * y + z) % 7 == 0; };
-        std::multiset<std::array<int, 3>> expected;
-        std::multiset<std::array<int, 3>> found;
-        forEachRunNear(frame, surface, group, 1.3,
-                       [&](int y, int z, CellRun run, auto&&)
-                       {
-                           if (isWorth(y, z))
-                           {
-                               expected.insert({y, z, run.first});
-                           }
-                       });
-        forEachRunNear(
-            frame, surface, group, 1.3,
-            [&](int y, int z, CellRun run, auto&&) {
-                found.insert({y, z, run.first});
-            },
-            [&](int y, int z, int last, CellRun)
-            {
-                while (z <= last && !isWorth(y, z))
+        for (const int kept : {0, 1})
+        {
+            std::vector<CellRange> worth;
+            int asked = kept;
+            std::multiset<std::array<int, 3>> found;
+            forEachRunNear(
+                frame, surface, group, 1.3,
+                [&](int y, int z, CellRun run, auto&&) {
+                    found.insert({run.first, y, z});
+                },
+                [&](const CellRange& range)
                 {
-                    ++z;
-                }
-                return z;
-            });
-        EXPECT_GT(expected.size(), 2u);
-        EXPECT_EQ(found, expected);
+                    const bool isWorthIt = asked++ % 2 == 0;
+                    if (isWorthIt)
+                    {
+                        worth.push_back(range);
+                    }
+                    return isWorthIt;
+                });
+            std::multiset<std::array<int, 3>> expected;
+            forEachRunNear(frame, surface, group, 1.3,
+                           [&](int y, int z, CellRun run, auto&&)
+                           {
+                               const Eigen::Array3i cell(run.first, y, z);
+                               for (const CellRange& range : worth)
+                               {
+                                   if ((cell >= range.low).all() && (cell <= range.high).all())
+                                   {
+                                       expected.insert({run.first, y, z});
+                                   }
+                               }
+                           });
+            EXPECT_EQ(found.empty(), size < 9 && kept == 1);
+            EXPECT_EQ(found, expected);
+        }
     }
 }
 

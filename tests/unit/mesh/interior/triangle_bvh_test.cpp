@@ -135,44 +135,9 @@ TEST(TriangleBvh, RejectsFourTrianglesAtOnceAsItWouldOne)
     EXPECT_GT(found, expected / 2);
 }
 
-TEST(TriangleBvh, FindsAllThatAreNearBelowTheNodesOfAPlaceAndLittleMore)
-{
-    const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
-    TriangleBvh::Nodes nodes;
-    std::size_t found = 0;
-    std::size_t expected = 0;
-    for (const Eigen::Vector3d& p : pointsFor(surface, 100))
-    {
-        surface.tree().findNodes(p, 0.2, nodes);
-        EXPECT_LE(nodes.size(), 16u);
-        const Eigen::Vector3d q = p + Eigen::Vector3d(0.05, -0.05, 0.05); // 0.087 away
-        for (const double near : {0.11, 0.02})
-        {
-            std::vector<std::uint32_t> fromRoot;
-            surface.tree().findNear(q, near, fromRoot);
-            expected += fromRoot.size();
-            std::vector<bool> visited(surface.size(), false);
-            surface.tree().forEachTriangleNear(nodes, q, near,
-                                               [&](std::uint32_t id)
-                                               {
-                                                   visited[id] = true;
-                                                   ++found;
-                                                   return near;
-                                               });
-            for (std::uint32_t id = 0; id < surface.size(); ++id)
-            {
-                const bool isNear = std::abs(signedDistance(surface, id, q).value) <= near;
-                ASSERT_TRUE(!isNear || visited[id]) << id;
-            }
-        }
-    }
-    EXPECT_LE(found, expected + expected / 20);
-}
-
 TEST(TriangleBvh, FindsAllOnAWayAndFewerThanAroundIt)
 {
     const Surface surface(shapes::torus(1, 0.4, 300, 100), Walls());
-    TriangleBvh::Nodes nodes;
     std::size_t onWays = 0;
     std::size_t around = 0;
     for (std::uint64_t k = 0; k < 200; ++k)
@@ -189,9 +154,8 @@ TEST(TriangleBvh, FindsAllOnAWayAndFewerThanAroundIt)
         const Eigen::Vector3d to = from + 0.25 * draw(5) * direction;
         const Eigen::Vector3d middle = (from + to) / 2;
         const double ball = radius + (to - from).norm() / 2;
-        surface.tree().findNodes(middle, ball, nodes);
         std::vector<std::uint32_t> found;
-        surface.tree().forEachTriangleOnWay(nodes, from, to, radius,
+        surface.tree().forEachTriangleOnWay(from, to, radius,
                                             [&](std::uint32_t id) { found.push_back(id); });
         std::sort(found.begin(), found.end());
         onWays += found.size();
