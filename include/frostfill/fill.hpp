@@ -29,7 +29,7 @@ struct FillRequest
     /// It is simulated again from its start; pictures that are there are not drawn again. Without a
     /// run in the directory it is begun.
     bool resume = false;
-    std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
+    std::filesystem::path video; ///< .mp4, .webm, .gif, or "-": standard output; or empty
 };
 
 /// What is known before the first step.

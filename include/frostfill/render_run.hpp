@@ -35,7 +35,7 @@ struct RenderRequest
     bool gather = false;
     /// Check everything that can be checked, and count the pictures; write nothing.
     bool dryRun = false;
-    std::filesystem::path video; ///< .mp4, .webm or .gif; empty for none
+    std::filesystem::path video; ///< .mp4, .webm, .gif, or "-": standard output; or empty
 };
 
 /// What the caller wants to hear. Every function may be empty.

@@ -167,8 +167,8 @@ Command addFillCommand(CLI::App& program)
     { command->add_flag(name, value, help)->group("Output"); };
     add("--out", arguments->out, "Folder of the run, or a file: .mp4, .webm, .gif, .png, .html",
         "DIR|FILE");
-    add("--video", arguments->video, "Also make a video of the frames: .mp4, .webm or .gif",
-        "FILE");
+    add("--video", arguments->video,
+        "Also make a video: .mp4, .webm, .gif, or - for standard output", "FILE");
     add("--resume", arguments->resume, "Continue the run in this folder, to the same results",
         "DIR");
     addFlag("--overwrite", arguments->overwrite, "Replace an earlier run");

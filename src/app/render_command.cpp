@@ -257,7 +257,8 @@ void addOutput(CLI::App& command, RenderArguments& arguments)
     add("--out", arguments.out,
         "Folder of the pictures (render, in that of the run), or a file: .mp4, .webm, .gif, .png",
         "DIR|FILE");
-    add("--video", arguments.video, "Also make a video of the frames: .mp4, .webm or .gif", "FILE");
+    add("--video", arguments.video,
+        "Also make a video: .mp4, .webm, .gif, or - for standard output", "FILE");
     addFlag("--overwrite", request.overwrite, "Replace earlier pictures");
     addFlag("--skip-existing", request.skipExisting,
             "Keep pictures that are complete and of this run, frame and settings");

@@ -52,7 +52,7 @@ std::vector<std::string> encoderArguments(const std::string& ending, bool withAl
                 "-cpu-used", "4",
                 "-pix_fmt",  withAlpha ? "yuva420p" : "yuv420p"};
     }
-    return {"-c:v", "ffv1", "-level", "3"}; // the frames of which a GIF is made
+    return {"-c:v", "ffv1", "-level", "3"}; // for other programs, and of which a GIF is made
 }
 
 /// GIF: one palette for the whole video, which has to be known first, so that only what changes
@@ -69,9 +69,27 @@ bool isGif(const std::filesystem::path& file)
     return file.extension() == ".gif";
 }
 
-bool isKnown(const std::string& ending)
+bool isStandardOutput(const std::filesystem::path& file)
 {
-    return ending == ".mp4" || ending == ".webm" || ending == ".gif";
+    return file == "-";
+}
+
+/// Throws Error usage for a video that cannot be made.
+void requireKnown(const std::filesystem::path& file)
+{
+    const std::string ending = file.extension().string();
+    if (!isStandardOutput(file) && ending != ".mp4" && ending != ".webm" && !isGif(file))
+    {
+        throw Error(ErrorCode::usage,
+                    fmt::format("the video {} must end in .mp4, .webm or .gif, or be - for "
+                                "standard output",
+                                file.string()));
+    }
+    if (isStandardOutput(file) && ::isatty(STDOUT_FILENO) == 1)
+    {
+        throw Error(ErrorCode::usage, "a video cannot be shown on a terminal: pipe standard output "
+                                      "to a program, or name a file in place of -");
+    }
 }
 
 /// Whether the program is in PATH.
@@ -94,12 +112,7 @@ bool hasProgram(const std::string& name)
 Video::Video(std::filesystem::path file, double framesPerSecond)
     : file_(std::move(file)), part_(file_), raw_(file_), framesPerSecond_(framesPerSecond)
 {
-    const std::string ending = file_.extension().string();
-    if (!isKnown(ending))
-    {
-        throw Error(ErrorCode::usage,
-                    fmt::format("the video {} must end in .mp4, .webm or .gif", file_.string()));
-    }
+    requireKnown(file_);
     if (!hasProgram("ffmpeg"))
     {
         throw Error(
@@ -108,18 +121,33 @@ Video::Video(std::filesystem::path file, double framesPerSecond)
                         "or omit --video",
                         file_.string()));
     }
-    part_.replace_extension(".part" + ending); // whose own ending tells ffmpeg the format
-    raw_.replace_extension(".part.mkv");
-    ::unlink(part_.c_str());
-    const int created = createNewFile(part_);
     said_ = ::memfd_create("ffmpeg", MFD_CLOEXEC);
+    create();
+}
+
+void Video::create()
+{
+    int created = -1;
+    if (isStandardOutput(file_))
+    {
+        created = output_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+        ::dup2(STDERR_FILENO, STDOUT_FILENO);
+    }
+    else
+    {
+        // The ending tells ffmpeg the format.
+        part_.replace_extension(".part" + file_.extension().string());
+        raw_.replace_extension(".part.mkv");
+        ::unlink(part_.c_str());
+        created = createNewFile(part_);
+        std::ignore = closeFile(created);
+    }
     if (created < 0 || said_ < 0)
     {
         ::close(said_);
         throw Error(ErrorCode::cannotCreate,
                     fmt::format("cannot create {}: {}", file_.string(), std::strerror(errno)));
     }
-    std::ignore = closeFile(created);
 }
 
 Video::~Video()
@@ -130,6 +158,11 @@ Video::~Video()
         close();
     }
     ::close(said_);
+    if (output_ >= 0)
+    {
+        ::close(output_);
+        return;
+    }
     ::unlink(part_.c_str());
     ::unlink(raw_.c_str());
 }
@@ -163,8 +196,14 @@ void Video::start(const Image& image)
     {
         words.push_back(std::move(word));
     }
-    // A name that starts with a dash or contains a colon is still a file name.
-    words.push_back("file:" + (isGif(file_) ? raw_ : part_).string());
+    if (output_ >= 0)
+    {
+        words.insert(words.end(), {"-f", "matroska", "pipe:1"});
+    }
+    else // a name that starts with a dash or contains a colon is still a file name
+    {
+        words.push_back("file:" + (isGif(file_) ? raw_ : part_).string());
+    }
     std::vector<char*> arguments;
     for (std::string& word : words)
     {
@@ -175,7 +214,14 @@ void Video::start(const Image& image)
     posix_spawn_file_actions_t actions;
     ::posix_spawn_file_actions_init(&actions);
     ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-    ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    if (output_ >= 0)
+    {
+        ::posix_spawn_file_actions_adddup2(&actions, output_, STDOUT_FILENO);
+    }
+    else
+    {
+        ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    }
     ::posix_spawn_file_actions_adddup2(&actions, said_, STDERR_FILENO);
     const int problem =
         ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
@@ -276,7 +322,7 @@ void Video::finish()
         failure = makeGif();
     }
     const bool worked = !failure;
-    if (worked)
+    if (worked && output_ < 0)
     {
         std::filesystem::rename(part_, file_, problem);
     }

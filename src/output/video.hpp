@@ -20,8 +20,10 @@ class Video : public ImageSink
 public:
     /// The extension selects the format: mp4 (H.264), webm (VP9, with alpha) or gif (up to 15
     /// frames a second, at the same speed). Until it is complete, "film.mp4" is "film.part.mp4"; a
-    /// run that is killed leaves that to the next one of the same name. Throws Error usage for
-    /// another extension, and cannotCreate if ffmpeg or the folder is missing.
+    /// run that is killed leaves that to the next one of the same name. "-" is standard output,
+    /// which gets Matroska without loss (FFV1) for another program; what this process prints from
+    /// then on goes to standard error. Throws Error usage for another extension and for standard
+    /// output that is a terminal, and cannotCreate if ffmpeg or the folder is missing.
     Video(std::filesystem::path file, double framesPerSecond);
     /// Abandons an unfinished video.
     ~Video() override;
@@ -36,6 +38,7 @@ public:
     void finish();
 
 private:
+    void create();
     void start(const Image& image);
     void send(const Image& image);
     /// Ends the connection and returns ffmpeg's exit status.
@@ -48,7 +51,8 @@ private:
     std::filesystem::path part_; ///< the unfinished video
     std::filesystem::path raw_;  ///< all frames without loss, of which a GIF is made
     double framesPerSecond_;
-    int said_ = -1; ///< a file in memory that ffmpeg writes its messages to
+    int output_ = -1; ///< what was standard output, if the video goes there
+    int said_ = -1;   ///< a file in memory that ffmpeg writes its messages to
     pid_t process_ = -1;
     int socket_ = -1;
     bool failed_ = false;

@@ -69,7 +69,7 @@ private:
     DirtyRectangles covered_;             ///< parts of the layer that are drawn anew
     std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
     std::vector<SphereInstance> spheres_; ///< that run and can be seen
-    std::vector<TriangleTiles::Part> parts_;                  ///< [spheres_] where
+    std::vector<PicturePart> parts_;      ///< [spheres_] where
     std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
 };
 

@@ -118,7 +118,8 @@ std::string headOf(const FillRequest& request, const LoadedMesh& mesh, const Sim
     head.repairs = mesh.repairs;
     head.lidTriangles = mesh.lidTriangles;
     head.patches = mesh.patches;
-    head.video = request.video.empty() ? "" : std::filesystem::absolute(request.video).string();
+    const bool isFile = !request.video.empty() && request.video != "-";
+    head.video = isFile ? std::filesystem::absolute(request.video).string() : "";
     head.colours = colourFacts(request.scene, simulation);
     head.interval = frames.timing.interval;
     head.stride = frames.stride;

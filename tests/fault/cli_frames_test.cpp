@@ -88,6 +88,25 @@ TEST_F(FrameNumbers, OfFilesTextAndPageAreAllTaken)
     EXPECT_EQ(names("alone"), (std::set{fmt::format("frame_{:05}.png", last)}));
 }
 
+TEST_F(FrameNumbers, OfAVideoOnStandardOutputAreThoseOfThePicturesAndNothingElseIsThere)
+{
+    if (std::system("command -v ffmpeg >/dev/null 2>&1") != 0)
+    {
+        GTEST_SKIP() << "there is no ffmpeg";
+    }
+    const std::string sums = "-pix_fmt rgb24 -f rawvideo - | md5sum";
+    const Answer video = run("fill torus --count 30 --size 64x48 --duration 1 --out run --video - "
+                             "| ffmpeg -v error -i - " +
+                             sums);
+    EXPECT_EQ(video.code, 0) << video.errors;
+    EXPECT_NE(video.errors.find("30 spheres"), std::string::npos) << video.errors;
+    ASSERT_GT(names("run").size(), 10U);
+    const std::string pictures = "'" + folder_.path().string() + "/run/frames/frame_%05d.png' ";
+    const Answer same =
+        test::runProgram("-v error -i " + pictures + sums, folder_.path(), "", "ffmpeg");
+    EXPECT_EQ(video.output, same.output) << same.errors;
+}
+
 TEST_F(FrameNumbers, OfHeldThinnedAndTurnedFramesAreTakenToo)
 {
     ASSERT_EQ(run(kSmall + "--set frames.hold=0.3 --set frames.limit=7 --set frames.passes=depth "

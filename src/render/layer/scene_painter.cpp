@@ -5,8 +5,11 @@
 #include "render/picture/projected_sphere.hpp"
 #include "render/picture/swatch_mesh.hpp"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <array>
@@ -94,7 +97,41 @@ void ScenePainter::setShell(const DrawnShell& shell)
     shaded_ = shell.shaded(framing_, variant_.fadingLines);
     shell_ = std::make_unique<MeshBuffer>(
         gl_, shaded_, edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
-    tiles_.emplace(shaded_, framing_, settings_.size);
+    findBounds();
+}
+
+void ScenePainter::findBounds()
+{
+    constexpr double kMargin = 1.5;      // of which only a sample is covered [pixel]
+    constexpr double kDepthSlack = 1e-5; // what single precision may do to a window depth
+    const PixelRectangle picture = {0, 0, settings_.size.width, settings_.size.height};
+    const glm::dvec2 pixels(settings_.size.width, settings_.size.height);
+    const glm::dmat4 toClip = framing_.projection * framing_.view;
+    bounds_.clear();
+    for (std::size_t t = 0; t < shaded_.triangles.size(); ++t)
+    {
+        glm::dvec3 low(1e9);
+        glm::dvec3 high(-1e9);
+        bool meetsEye = false;
+        for (const glm::vec3& corner : shaded_.corners(t))
+        {
+            const glm::dvec4 clip = toClip * glm::dvec4(corner, 1.0);
+            meetsEye = meetsEye || clip.w <= 1e-6;
+            const glm::dvec3 point =
+                (glm::dvec3(clip) / clip.w + 1.0) / 2.0 * glm::dvec3(pixels, 1.0);
+            low = glm::min(low, point);
+            high = glm::max(high, point);
+        }
+        const glm::dvec2 least = glm::clamp(glm::dvec2(low) - kMargin, -pixels, 2.0 * pixels);
+        const glm::dvec2 most = glm::clamp(glm::dvec2(high) + kMargin, -pixels, 2.0 * pixels);
+        const PixelRectangle around =
+            common({static_cast<int>(std::floor(least.x)), static_cast<int>(std::floor(least.y)),
+                    static_cast<int>(std::ceil(most.x)), static_cast<int>(std::ceil(most.y))},
+                   picture);
+        bounds_.push_back(meetsEye ? TriangleBounds{picture, -1}
+                                   : TriangleBounds{around.empty() ? PixelRectangle{} : around,
+                                                    static_cast<float>(low.z - kDepthSlack)});
+    }
 }
 
 void ScenePainter::uploadSwatches()
@@ -129,7 +166,7 @@ void ScenePainter::lookFrom(const Framing& framing)
     if (shell_)
     {
         shell_->setEdges(edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
-        tiles_.emplace(shaded_, framing_, settings_.size);
+        findBounds();
     }
 }
 
@@ -140,7 +177,7 @@ std::span<const PixelRectangle> ScenePainter::setPolygons(std::span<const Polygo
     {
         for (const std::uint32_t triangle : shell_->update(states))
         {
-            changed_.push_back(tiles_->bounds(triangle));
+            changed_.push_back(bounds_[triangle].pixels);
         }
     }
     return changed_;
@@ -249,27 +286,34 @@ void ScenePainter::paintShell()
     }
 }
 
-void ScenePainter::paintShell(std::span<const TriangleTiles::Part> parts)
-{
-    if (shell_)
-    {
-        tiles_->find(parts);
-        shell_->choose(tiles_->backs(), tiles_->fronts());
-        meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection, MeshPass::Triangles::chosen);
-    }
-}
-
-void ScenePainter::paintShellPerRegion(std::span<const TriangleTiles::Part> parts)
+void ScenePainter::paintShell(std::span<const PicturePart> parts)
 {
     if (!shell_)
     {
         return;
     }
+    chosen_.clear();
+    for (std::uint32_t t = 0; t < bounds_.size(); ++t)
+    {
+        const auto& [pixels, nearest] = bounds_[t];
+        const auto meets = [&pixels = pixels, nearest = nearest](const PicturePart& part)
+        { return nearest < part.furthest && pixels.overlaps(part.pixels); };
+        if (std::any_of(parts.begin(), parts.end(), meets))
+        {
+            chosen_.push_back(t);
+        }
+    }
+    shell_->choose(chosen_);
+    meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection, MeshPass::Triangles::chosen);
+}
+
+void ScenePainter::paintShellPerRegion(std::span<const PicturePart> parts)
+{
     // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
     // Mesa shades it there too before it finds no mark. The regions are disjoint, so that no pixel
     // gets the surface twice.
     regions_.clear();
-    for (const TriangleTiles::Part& part : parts)
+    for (const PicturePart& part : parts)
     {
         regions_.add(grown(part.pixels, kScissorMargin));
     }
@@ -277,7 +321,7 @@ void ScenePainter::paintShellPerRegion(std::span<const TriangleTiles::Part> part
     {
         regionParts_.clear();
         std::copy_if(parts.begin(), parts.end(), std::back_inserter(regionParts_),
-                     [&](const TriangleTiles::Part& part) { return part.pixels.overlaps(region); });
+                     [&](const PicturePart& part) { return part.pixels.overlaps(region); });
         confine(region);
         paintShell(regionParts_);
     }
@@ -300,7 +344,7 @@ void ScenePainter::paintSwatchPolygons()
 }
 
 void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
-                              std::span<const TriangleTiles::Part> parts)
+                              std::span<const PicturePart> parts)
 {
     if (spheres.empty())
     {
@@ -320,7 +364,7 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
                                    static_cast<int>(legend_.width()) + 1, settings_.size.height};
     if (swatches_ &&
         std::any_of(parts.begin(), parts.end(),
-                    [&](const TriangleTiles::Part& part) { return part.pixels.overlaps(legend); }))
+                    [&](const PicturePart& part) { return part.pixels.overlaps(legend); }))
     {
         paintSwatchPolygons();
     }

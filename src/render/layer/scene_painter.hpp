@@ -3,7 +3,6 @@
 
 #include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/layer/triangle_tiles.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
 #include "render/passes/ground_pass.hpp"
@@ -17,6 +16,7 @@
 
 #include <frostfill/renderer.hpp>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -29,6 +29,13 @@ namespace frostfill
 /// rectangle's edges and draws some along the outside, so that it has to be larger than what is
 /// used of it, and what is not to be drawn to has to be still further away. [pixel]
 inline constexpr int kScissorMargin = 2;
+
+/// A part of the picture, down to a window depth. It may reach beyond the picture.
+struct PicturePart
+{
+    PixelRectangle pixels;
+    float furthest = 2;
+};
 
 /// Paints parts of the scene into the framebuffer that is bound. The order that makes a picture is
 /// clear, spheres, shell, legend.
@@ -62,7 +69,8 @@ public:
     /// What a cut leaves of a small sphere may be nearer than what it leaves of the full one.
     [[nodiscard]] bool paintsOccluders() const { return !variant_.cutaway; }
     void paintShell();
-    void paintShell(std::span<const TriangleTiles::Part> parts);
+    /// paintShell with the triangles that may be seen in one of the parts only.
+    void paintShell(std::span<const PicturePart> parts);
     void paintLegend();
 
     /// Returns the spheres at rest as occluders; null without ambient occlusion.
@@ -76,8 +84,7 @@ public:
 
     /// Adds spheres to a finished picture as if they had been painted before the shell. `parts` are
     /// where they may be seen.
-    void addSpheres(std::span<const SphereInstance> spheres,
-                    std::span<const TriangleTiles::Part> parts);
+    void addSpheres(std::span<const SphereInstance> spheres, std::span<const PicturePart> parts);
     /// addSpheres marks what it has painted with a new number each time. When so many more are too
     /// many, resetStencil has to be called on every framebuffer that it was used on, then
     /// restartStencil.
@@ -93,11 +100,12 @@ private:
         MeshBuffer polygons;
     };
 
+    void findBounds();
     void uploadSwatches();
     void paintSwatchPolygons();
     void paintSpheres(std::span<const SphereInstance> spheres, const SpherePass& pass);
     /// paintShell, only in and closely around the parts.
-    void paintShellPerRegion(std::span<const TriangleTiles::Part> parts);
+    void paintShellPerRegion(std::span<const PicturePart> parts);
     void setView(const Framing& framing);
 
     const GlFunctions& gl_;
@@ -121,7 +129,15 @@ private:
     SphereBuffer spheres_;
     ShadedMesh shaded_;
     std::unique_ptr<MeshBuffer> shell_;
-    std::optional<TriangleTiles> tiles_;
+    /// Around a triangle in the picture, and a window depth that nothing of it is nearer than.
+    struct TriangleBounds
+    {
+        PixelRectangle pixels; ///< empty when it is out of view
+        float nearest;
+    };
+    std::vector<TriangleBounds> bounds_; ///< [#T] of the shell
+    std::vector<PicturePart> regionParts_;
+    std::vector<std::uint32_t> chosen_; ///< of them, for a part
     std::unique_ptr<Swatches> swatches_;
     std::vector<PixelRectangle> changed_;
     std::vector<SphereInstance> shrunk_;
@@ -129,7 +145,6 @@ private:
     std::vector<SphereInstance> cut_;   ///< by it
     float occluderShrink_ = 0;          ///< [pixel]
     DirtyRectangles regions_;
-    std::vector<TriangleTiles::Part> regionParts_;
     int stencilValue_ = 0;
 };
 

@@ -110,7 +110,7 @@ void StaticLayer::add(ScenePainter& painter, const SphereProjector& projector,
     projectSpheres(projector, resting, first, resting.size());
     framebuffer_.bind();
     painter.addSpheres(spheres_, parts_);
-    for (const TriangleTiles::Part& part : parts_)
+    for (const PicturePart& part : parts_)
     {
         dirty.add(part.pixels);
     }
@@ -155,7 +155,7 @@ void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance>
         painter.clear();
         painter.paintGround();
         painter.paintSpheres(spheres_);
-        const TriangleTiles::Part all{part};
+        const PicturePart all{part};
         painter.paintShell({&all, 1});
         painter.paintLegend();
         painter.endConfinement();

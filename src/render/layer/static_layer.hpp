@@ -87,11 +87,11 @@ private:
     Framebuffer framebuffer_;              ///< of the layer
     std::optional<Framebuffer> occluders_; ///< depths without multisampling
     OcclusionMap occlusion_;
-    std::vector<Seen> seen_;                 ///< ascending
-    std::size_t seenAtLast_ = 0;             ///< when those that are hidden were last looked for
-    std::vector<SphereInstance> spheres_;    ///< that are being drawn
-    std::vector<TriangleTiles::Part> parts_; ///< [spheres_] where
-    PixelRectangle drawn_;                   ///< around all that is in the layer
+    std::vector<Seen> seen_;              ///< ascending
+    std::size_t seenAtLast_ = 0;          ///< when those that are hidden were last looked for
+    std::vector<SphereInstance> spheres_; ///< that are being drawn
+    std::vector<PicturePart> parts_;      ///< [spheres_] where
+    PixelRectangle drawn_;                ///< around all that is in the layer
     std::vector<std::uint32_t> depths_;
 };
 

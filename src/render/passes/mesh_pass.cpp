@@ -115,17 +115,13 @@ std::span<const std::uint32_t> MeshBuffer::update(std::span<const PolygonState> 
     return changed_;
 }
 
-void MeshBuffer::choose(std::span<const std::uint32_t> backs, std::span<const std::uint32_t> fronts)
+void MeshBuffer::choose(std::span<const std::uint32_t> triangles)
 {
     indices_.clear();
-    for (const auto& triangles : {backs, fronts})
+    for (const std::uint32_t t : triangles)
     {
-        for (const std::uint32_t t : triangles)
-        {
-            indices_.insert(indices_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
-        }
+        indices_.insert(indices_.end(), {3 * t, 3 * t + 1, 3 * t + 2});
     }
-    chosen_ = {backs.size(), fronts.size()};
     gl_.bindVertexArray(array_);
     gl_.bufferData(GL_ELEMENT_ARRAY_BUFFER,
                    static_cast<GLsizeiptr>(indices_.size() * sizeof(std::uint32_t)),
@@ -138,15 +134,13 @@ void MeshBuffer::draw() const
     gl_.drawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_ * 3));
 }
 
-void MeshBuffer::drawChosen(bool fronts) const
+void MeshBuffer::drawChosen() const
 {
-    const std::size_t first = fronts ? chosen_[0] * 3 : 0;
-    const std::size_t count = chosen_[fronts ? 1 : 0] * 3;
-    if (count > 0)
+    if (!indices_.empty())
     {
         gl_.bindVertexArray(array_);
-        gl_.drawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                         inBuffer(first * sizeof(std::uint32_t)));
+        gl_.drawElements(GL_TRIANGLES, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_INT,
+                         nullptr);
     }
 }
 
@@ -194,7 +188,7 @@ void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::ma
         }
         else
         {
-            mesh.drawChosen(fronts);
+            mesh.drawChosen();
         }
     }
     gl_.disable(GL_CULL_FACE);

@@ -30,16 +30,14 @@ public:
     /// Takes the states of the triangles; those beyond the span's end are active. Returns which
     /// triangles have changed, until the next call.
     std::span<const std::uint32_t> update(std::span<const PolygonState> states);
-    /// The triangles that drawChosen draws: those that may turn their backs to the viewer and those
-    /// that may face the viewer.
-    void choose(std::span<const std::uint32_t> backs, std::span<const std::uint32_t> fronts);
+    /// The triangles that drawChosen draws.
+    void choose(std::span<const std::uint32_t> triangles);
     void draw() const;
-    void drawChosen(bool fronts) const;
+    void drawChosen() const;
 
 private:
     const GlFunctions& gl_;
     std::size_t triangles_;
-    std::array<std::size_t, 2> chosen_{}; ///< backs, fronts
     GLuint array_ = 0;
     std::array<GLuint, 4> buffers_{}; ///< shape; states; edges; indices of the chosen
     std::vector<std::array<std::uint8_t, 4>> edges_; ///< [#T x 3] the three; distance from a crease

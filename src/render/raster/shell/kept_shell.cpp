@@ -70,11 +70,11 @@ void KeptShell::draw(std::size_t tile, std::span<const std::uint32_t> triangles,
                      const TilePart& part, SampleTile& to, const RestingTile& resting)
 {
     Tile& own = tiles_[tile];
-    if (own.pieces.empty() && own.drawn >= kTilePixels)
+    if (!own.isKept && own.drawn >= kTilePixels)
     {
         keep(own, triangles, part);
     }
-    if (!own.pieces.empty())
+    if (own.isKept)
     {
         shell_.blend(own.pieces, part.pixels, to);
         return;
@@ -96,6 +96,7 @@ void KeptShell::keep(Tile& tile, std::span<const std::uint32_t> triangles, const
     std::stable_sort(pieces.begin(), pieces.end(),
                      [&](const ShellPiece& a, const ShellPiece& b) { return place(a) < place(b); });
     tile.pieces = asLayers(pieces);
+    tile.isKept = true;
     bytes_ += bytesOf(tile.pieces);
 }
 

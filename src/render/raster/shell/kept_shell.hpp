@@ -30,13 +30,14 @@ public:
     void draw(std::size_t tile, std::span<const std::uint32_t> triangles, const TilePart& part,
               SampleTile& to, const RestingTile& resting);
 
-    [[nodiscard]] bool keeps(std::size_t tile) const { return !tiles_[tile].pieces.empty(); }
+    [[nodiscard]] bool keeps(std::size_t tile) const { return tiles_[tile].isKept; }
 
 private:
     struct Tile
     {
         std::vector<ShellPiece> pieces; ///< row by row, in the order in which they are blended
         std::int64_t drawn = 0;         ///< pixels since it changed
+        bool isKept = false;            ///< and there may be none
     };
 
     void keep(Tile& tile, std::span<const std::uint32_t> triangles, const TilePart& part);

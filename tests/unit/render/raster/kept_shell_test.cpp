@@ -170,15 +170,15 @@ TEST(KeptShell, DrawsWhatItMayNotKeep)
 TEST(KeptShell, MayKeepMoreOnceItHasForgotten)
 {
     ShellOfTiles drawn(torusMesh(1, 0.4, 48, 12), kMaxTileSamples, lanes::hasAvx2(), 1);
-    drawn.draw(0);
-    drawn.draw(0);
-    drawn.draw(1);
-    drawn.draw(1);
-    EXPECT_TRUE(drawn.kept().keeps(0));
-    EXPECT_FALSE(drawn.kept().keeps(1)) << "the first has taken all";
-    drawn.kept().forget(0);
-    drawn.draw(1);
-    EXPECT_TRUE(drawn.kept().keeps(1));
+    drawn.draw(6);
+    drawn.draw(6);
+    drawn.draw(8);
+    drawn.draw(8);
+    EXPECT_TRUE(drawn.kept().keeps(6));
+    EXPECT_FALSE(drawn.kept().keeps(8)) << "the first has taken all";
+    drawn.kept().forget(6);
+    drawn.draw(8);
+    EXPECT_TRUE(drawn.kept().keeps(8));
 }
 
 } // namespace
