@@ -31,8 +31,8 @@ Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
     : PictureBackend(mesh, wanted), context_(openContext(wanted.backend)),
       gl_(loadGlFunctions(*context_)), description_(describe(*context_, gl_)),
       framebuffer_(gl_, wanted.size.width, wanted.size.height, wanted.samples),
-      painter_(gl_, mesh, viewpoint().settings(), legend(), viewpoint().colours(), framing(),
-               samplePositions()),
+      painter_(gl_, mesh, shell(), viewpoint().settings(), legend(), viewpoint().colours(),
+               framing(), samplePositions()),
       projector_(framing(), wanted.size), dirty_(wanted.size.width, wanted.size.height),
       covered_(dirty_)
 {
@@ -75,6 +75,12 @@ void Pipeline::useFraming()
     stale_ = true;
 }
 
+void Pipeline::useShell()
+{
+    context_->makeCurrent();
+    painter_.setShell(shell());
+}
+
 const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Image& /*image*/)
 {
     context_->makeCurrent();
@@ -82,7 +88,7 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Imag
     renewStencil();
     const SphereDrawList::Changes& changes =
         drawList_.update(snapshot, framing(), viewpoint().colours());
-    const auto polygonParts = painter_.setPolygons(snapshot.polygons);
+    const auto polygonParts = painter_.setPolygons(shellStates(snapshot));
     const bool startAgain = stale_ || changes.everything;
     if (startAgain && drawList_.resting().size() >= kSortFrom)
     {

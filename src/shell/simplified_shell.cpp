@@ -2,6 +2,7 @@
 #include "shell/simplified_shell.hpp"
 
 #include "geometry/closest_point.hpp"
+#include "mesh/connectivity.hpp"
 #include "mesh/interior/triangle_bvh.hpp"
 #include "mesh/triangle_shape.hpp"
 
@@ -127,6 +128,69 @@ SimplifiedShell simplifyShell(const TriangleMesh& mesh, bool full)
         }
     }
     return trueShell(mesh);
+}
+
+namespace
+{
+
+/// At each corner of the shell's triangle the one that lies in its direction.
+std::vector<std::array<std::uint32_t, 2>> pairAtCorners(const TriangleMesh& mesh,
+                                                        std::span<const std::uint32_t> corners)
+{
+    const VertexTriangles around(mesh);
+    const auto middleOf = [&](const std::uint32_t* vertices)
+    {
+        return Eigen::Vector3d(
+            (mesh.vertices[vertices[0]] + mesh.vertices[vertices[1]] + mesh.vertices[vertices[2]]) /
+            3);
+    };
+    std::vector<std::array<std::uint32_t, 2>> pairs;
+    pairs.reserve(corners.size());
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+        const std::size_t shown = i / 3;
+        const Eigen::Vector3d& corner = mesh.vertices[corners[i]];
+        const Eigen::Vector3d direction = middleOf(&corners[3 * shown]) - corner;
+        std::uint32_t best = around.at(corners[i]).front();
+        double most = -std::numeric_limits<double>::max();
+        for (const std::uint32_t t : around.at(corners[i]))
+        {
+            const Eigen::Vector3d own = middleOf(mesh.triangles[t].data()) - corner;
+            const double along = own.dot(direction) / std::max(own.norm(), 1e-300);
+            if (along > most)
+            {
+                most = along;
+                best = t;
+            }
+        }
+        pairs.push_back({static_cast<std::uint32_t>(shown), best});
+    }
+    return pairs;
+}
+
+} // namespace
+
+SimplifiedShell simplifyWithin(const TriangleMesh& mesh, double distance)
+{
+    const Eigen::AlignedBox3d box = boundingBox(mesh);
+    const double size = box.sizes().maxCoeff();
+    if (!(distance > 0) || !(size > 0))
+    {
+        return trueShell(mesh);
+    }
+    const std::vector<float> positions = unitPositions(mesh, box);
+    const std::span corners(mesh.triangles.front().data(), 3 * mesh.triangles.size());
+    std::vector<std::uint32_t> fewer(corners.size());
+    fewer.resize(meshopt_simplify(fewer.data(), corners.data(), corners.size(), positions.data(),
+                                  mesh.vertices.size(), 3 * sizeof(float), 0,
+                                  static_cast<float>(distance / size), 0, nullptr));
+    if (fewer.empty() || fewer.size() >= corners.size())
+    {
+        return trueShell(mesh);
+    }
+    return {meshOf(mesh, fewer),
+            {fewer.size() / 3, mesh.triangles.size(), distance},
+            pairAtCorners(mesh, fewer)};
 }
 
 void showPolygons(const SimplifiedShell& shell, std::span<const PolygonState> polygons,

@@ -29,6 +29,12 @@ struct SimplifiedShell
 /// distance allows. With `full` the mesh stays what it is.
 [[nodiscard]] SimplifiedShell simplifyShell(const TriangleMesh& mesh, bool full = false);
 
+/// Collapses edges as long as an estimate of the distance from the mesh stays below `distance`: few
+/// places are two to four times as far. Keeps the mesh with a `distance` of 0. Much faster than
+/// simplifyShell, which proves the distance: a triangle stands for those at its corners. [mesh
+/// unit]
+[[nodiscard]] SimplifiedShell simplifyWithin(const TriangleMesh& mesh, double distance);
+
 /// States of the shell's triangles from those of the true ones: one is discarded when all that it
 /// stands for are. `shown` may be from the call before.
 void showPolygons(const SimplifiedShell& shell, std::span<const PolygonState> polygons,

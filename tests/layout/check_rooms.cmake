@@ -49,12 +49,13 @@ room(simulation/engine ${core} ${parts} simulation/quality simulation/columns)
 
 room(image base)
 set(seen base snapshot mesh view image)
+room(shell mesh mesh/interior geometry snapshot)
 room(renderer ${seen}) # the public header, whose settings the rooms of the renderer read
 list(APPEND seen renderer)
 room(render/framing ${seen})
 room(render/context ${seen} render/framing)
 room(render/overlay ${seen} render/framing render/context)
-room(render/picture ${seen} geometry mesh/interior render/framing render/overlay) # what draws has it; it knows no OpenGL
+room(render/picture ${seen} geometry mesh/interior shell render/framing render/overlay) # what draws has it; it knows no OpenGL
 room(render/passes ${seen} render/framing render/context render/picture)
 room(render/layer ${seen} render/framing render/context render/passes render/overlay render/picture)
 room(render/raster/lanes ${seen} render/framing render/picture)
@@ -70,7 +71,6 @@ room(run_file base ${mesh} snapshot)
 room(packing base ${mesh} scene scene/options snapshot simulation simulation/quality run_file)
 room(analysis base geometry ${mesh} bulk scene snapshot simulation simulation/quality packing)
 room(output base mesh snapshot scene scene/options image)
-room(shell mesh mesh/interior geometry snapshot)
 room(bed base geometry mesh mesh/interior mesh/repair output run_file)
 room(export base mesh mesh/repair view scene scene/options snapshot run_file output shell bed analysis)
 room(export/inputs base mesh mesh/interior scene snapshot output export)

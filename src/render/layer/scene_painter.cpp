@@ -35,7 +35,7 @@ ShaderVariant uncut(ShaderVariant variant)
 
 } // namespace
 
-ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
+ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, const DrawnShell& shell,
                            const RenderSettings& settings, const Legend& legend,
                            const SphereColours& colours, const Framing& framing,
                            std::span<const glm::vec2> samplePositions)
@@ -52,8 +52,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
         cutSpherePass_.emplace(gl, variant_, samplePositions, settings_.style,
                                strokesFor(settings).lineWidth);
     }
-    const std::vector<glm::vec3> positions = inUnitSpace(mesh, framing);
-    studio_ = studioOf(mesh, positions, settings, framing);
+    studio_ = studioOf(mesh, inUnitSpace(mesh, framing), settings, framing);
     if (variant_.occlusion)
     {
         sphereOcclusion_.emplace(lampOf(studio_), cutPlanesOf(settings_, framing));
@@ -63,10 +62,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
         ground_ = std::make_unique<GroundPass>(gl_, *studio_->ground);
     }
     setView(framing);
-    if (settings.style.shell)
-    {
-        uploadMesh(mesh, positions);
-    }
+    setShell(shell);
     if (legend_.visible())
     {
         const ShaderVariant flat = variantOfSwatches(variant_);
@@ -92,9 +88,13 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh,
     }
 }
 
-void ScenePainter::uploadMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
+void ScenePainter::setShell(const DrawnShell& shell)
 {
-    shaded_ = shadeMesh(mesh, positions, variant_.fadingLines);
+    if (!settings_.style.shell)
+    {
+        return;
+    }
+    shaded_ = shell.shaded(framing_, variant_.fadingLines);
     shell_ = std::make_unique<MeshBuffer>(
         gl_, shaded_, edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
     findBounds();

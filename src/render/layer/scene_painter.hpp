@@ -9,6 +9,7 @@
 #include "render/passes/mesh_pass.hpp"
 #include "render/passes/sphere_pass.hpp"
 #include "render/picture/dirty_rectangles.hpp"
+#include "render/picture/drawn_shell.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/picture/studio.hpp"
@@ -41,13 +42,15 @@ struct PicturePart
 class ScenePainter
 {
 public:
-    /// `samplePositions` are those of the framebuffers that are painted [pixel]; one for no
-    /// multisampling.
-    ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, const RenderSettings& settings,
-                 const Legend& legend, const SphereColours& colours, const Framing& framing,
-                 std::span<const glm::vec2> samplePositions);
+    /// `shell` is what is drawn of the mesh; `samplePositions` are those of the framebuffers that
+    /// are painted [pixel]; one for no multisampling.
+    ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, const DrawnShell& shell,
+                 const RenderSettings& settings, const Legend& legend, const SphereColours& colours,
+                 const Framing& framing, std::span<const glm::vec2> samplePositions);
 
     void lookFrom(const Framing& framing);
+    /// Shows another mesh as the shell from now on, before the next lookFrom().
+    void setShell(const DrawnShell& shell);
     /// Returns the parts of the picture where the shell has changed, until the next call.
     std::span<const PixelRectangle> setPolygons(std::span<const PolygonState> states);
 
@@ -97,7 +100,6 @@ private:
         MeshBuffer polygons;
     };
 
-    void uploadMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions);
     void findBounds();
     void uploadSwatches();
     void paintSwatchPolygons();

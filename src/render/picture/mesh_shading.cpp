@@ -26,6 +26,9 @@ constexpr float kCreaseCosine = 0.819F;
 /// A crease is drawn in full from a bend of 65 degrees on.
 constexpr float kSharpCosine = 0.423F;
 
+/// Triangles of a simplified mesh that are tilted by more than 15 degrees are slivers.
+constexpr float kTiltedCosine = 0.966F;
+
 /// How strongly a crease between two faces is drawn; 0 when they go smoothly into each other.
 std::uint8_t creaseStrength(const glm::vec3& a, const glm::vec3& b)
 {
@@ -128,7 +131,7 @@ void findEdges(const TriangleMesh& mesh, ShadedMesh& shaded)
 } // namespace
 
 ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
-                     bool fadingLines)
+                     bool fadingLines, std::span<const glm::vec3> trueNormals)
 {
     ShadedMesh shaded;
     shaded.positions = positions;
@@ -138,6 +141,14 @@ ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& pos
         const std::array<glm::vec3, 3> corners = shaded.corners(t);
         shaded.faceNormals.push_back(
             unitOrZero(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
+    }
+    for (std::size_t t = 0; t < trueNormals.size(); ++t)
+    {
+        // Simplifying leaves slivers, whose own normals say nothing of the surface.
+        if (glm::dot(shaded.faceNormals[t], trueNormals[t]) < kTiltedCosine)
+        {
+            shaded.faceNormals[t] = trueNormals[t];
+        }
     }
     findEdges(mesh, shaded);
     if (fadingLines)

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace frostfill
@@ -57,10 +58,11 @@ inline constexpr std::uint8_t kOutline = shading::kOutlineEdge;
 } // namespace line_strength
 
 /// `positions` are the mesh's vertices in unit space. Without `fadingLines` no crease is stray, and
-/// triangles know of their own edges only.
+/// triangles know of their own edges only. `trueNormals` are those of the surface that a simplified
+/// mesh stands for [#T], else empty.
 [[nodiscard]] ShadedMesh shadeMesh(const TriangleMesh& mesh,
-                                   const std::vector<glm::vec3>& positions,
-                                   bool fadingLines = true);
+                                   const std::vector<glm::vec3>& positions, bool fadingLines = true,
+                                   std::span<const glm::vec3> trueNormals = {});
 
 /// What each edge of each triangle is, a line_strength, in the order of the opposite corners: rims
 /// and the outline seen from `eye`, creases the stronger the sharper they are, all others plain.

@@ -5,13 +5,17 @@ namespace frostfill
 {
 
 PictureBackend::PictureBackend(const TriangleMesh& mesh, const RenderSettings& settings)
-    : viewpoint_(mesh, settings)
+    : viewpoint_(mesh, settings), shell_(mesh, settings, viewpoint_.framing())
 {
 }
 
 void PictureBackend::lookFrom(const Camera& camera)
 {
     viewpoint_.lookFrom(camera);
+    if (shell_.lookFrom(viewpoint_.framing()))
+    {
+        useShell();
+    }
     useFraming();
 }
 

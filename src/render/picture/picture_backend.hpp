@@ -5,6 +5,7 @@
 
 #include "render/framing/pixel_rectangle.hpp"
 #include "render/overlay/viewpoint.hpp"
+#include "render/picture/drawn_shell.hpp"
 #include "render/picture/surfaces.hpp"
 
 #include <frostfill/image.hpp>
@@ -47,14 +48,23 @@ public:
 
 protected:
     [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
+    /// What is drawn as the shell.
+    [[nodiscard]] const DrawnShell& shell() const { return shell_; }
+    [[nodiscard]] std::span<const PolygonState> shellStates(const Snapshot& snapshot)
+    {
+        return shell_.states(snapshot.polygons);
+    }
     /// Looks at the object where it is in the snapshot.
     void follow(const Snapshot& snapshot);
 
 private:
     /// The framing has changed: nothing of the picture before can be kept.
     virtual void useFraming() = 0;
+    /// So has the mesh of the shell.
+    virtual void useShell() = 0;
 
     Viewpoint viewpoint_;
+    DrawnShell shell_;
 };
 
 } // namespace frostfill

@@ -15,18 +15,15 @@ namespace frostfill
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
     : PictureBackend(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
+      strokes_(strokesFor(settings, mesh.triangles.size())),
       samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_),
       triangles_(grid_)
 {
     runningIn_.resize(grid_.count());
     dirty_.resize(grid_.count());
-    const std::vector<glm::vec3> positions = inUnitSpace(mesh, viewpoint().framing());
-    if (settings.style.shell)
-    {
-        addShell(mesh, positions);
-    }
-    std::optional<Studio> studio =
-        studioOf(mesh, positions, viewpoint().settings(), viewpoint().framing());
+    useShell();
+    std::optional<Studio> studio = studioOf(mesh, inUnitSpace(mesh, viewpoint().framing()),
+                                            viewpoint().settings(), viewpoint().framing());
     layer_.emplace(grid_, viewpoint().settings(), samples_, std::move(studio),
                    cutPlanesOf(settings, viewpoint().framing()));
     if (viewpoint().legend().visible())
@@ -36,19 +33,21 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
     useFraming();
 }
 
-void TilePipeline::addShell(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions)
+void TilePipeline::useShell()
 {
-    shaded_ = shadeMesh(mesh, positions, variant_.fadingLines);
+    if (!viewpoint().settings().style.shell)
+    {
+        return;
+    }
+    shaded_ = shell().shaded(framing(), variant_.fadingLines);
     edges_.emplace(shaded_);
     shell_ = std::make_unique<ShellRaster>(
-        shaded_, variant_, shellPalette(viewpoint().settings().style),
-        strokesFor(viewpoint().settings(), mesh.triangles.size()), samples_, avx2_);
+        shaded_, variant_, shellPalette(viewpoint().settings().style), strokes_, samples_, avx2_);
     shaded_.normals = {}; // both have what they need of these
     shaded_.edges = {};
     if (viewpoint().settings().staticLayer)
     {
-        keptShell_ = std::make_unique<KeptShell>(*shell_, grid_.count(),
-                                                 static_cast<std::size_t>(samples_), avx2_);
+        keptShell_ = std::make_unique<KeptShell>(*shell_, grid_.count());
     }
 }
 
@@ -119,7 +118,7 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     }
     if (shell_)
     {
-        for (const std::uint32_t triangle : shell_->setStates(snapshot.polygons))
+        for (const std::uint32_t triangle : shell_->setStates(shellStates(snapshot)))
         {
             const PixelRectangle pixels = shell_->bounds(triangle);
             grid_.each(pixels,

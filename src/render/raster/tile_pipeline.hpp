@@ -43,7 +43,7 @@ public:
 
 private:
     void useFraming() override;
-    void addShell(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions);
+    void useShell() override;
     /// Draws the tile where it has these pixels of the picture.
     void renew(std::size_t tile, const PixelRectangle& pixels);
     void placeRunning();
@@ -53,6 +53,7 @@ private:
 
     PictureSize size_;
     ShaderVariant variant_;
+    MeshStrokes strokes_;
     int samples_;
     bool avx2_;
     TileGrid grid_;

@@ -5,6 +5,7 @@
 #include "unit/render/draw.hpp"
 
 #include <frostfill/renderer.hpp>
+#include <frostfill/shell.hpp>
 
 #include <gtest/gtest.h>
 
@@ -72,7 +73,8 @@ TEST(Shell, IsCloseToAPictureOfManySamplesAtAnyNumberOfTriangles)
             const ImageDifference apart = compareImages(draw(mesh, settings, snapshot), reference);
             RecordProperty("rms_" + std::to_string(around) + "_" + std::to_string(samples),
                            std::to_string(apart.rootMeanSquare));
-            EXPECT_LT(apart.rootMeanSquare, samples == 4 ? 2.5 : 5.5)
+            const double bar = mesh.triangles.size() > kShellTriangles ? 4 : 2.5; // if simplified
+            EXPECT_LT(apart.rootMeanSquare, samples == 4 ? bar : 5.5)
                 << around << " quads around, " << samples << " samples";
         }
     }
@@ -86,7 +88,8 @@ TEST(Shell, HasNoStippleWhereTrianglesAreSmallerThanPixels)
     const Image all = draw(torusMesh(1, 0.4, 900, 300), lines);
     // What is left are the outlines, which cross each row a few times.
     EXPECT_LT(specks(fine), 700);
-    EXPECT_EQ(all.pixels, fine.pixels) << "edges that have no room are not drawn";
+    EXPECT_LT(specks(all), 700) << "edges that have no room are not drawn";
+    EXPECT_LT(compareImages(all, fine).rootMeanSquare, 4) << "a simplified shell";
 }
 
 TEST(Shell, HasItsEdgesWhereTrianglesAreLarge)

@@ -29,7 +29,6 @@ namespace frostfill::lanes
 using Floats = float __attribute__((vector_size(4 * kLanes)));
 using Words = std::uint32_t __attribute__((vector_size(4 * kLanes)));
 using Mask = std::int32_t __attribute__((vector_size(4 * kLanes))); ///< all bits, or none
-using HalfFloats = float __attribute__((vector_size(2 * kLanes)));
 
 FROSTFILL_INLINE Floats all(float value)
 {
@@ -92,17 +91,6 @@ FROSTFILL_INLINE Floats clamped(Floats value)
     return min(max(value, 0), 1);
 }
 
-FROSTFILL_INLINE Floats joined(HalfFloats lower, HalfFloats upper)
-{
-    return __builtin_shufflevector(lower, upper, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-
-FROSTFILL_INLINE std::array<Floats, 3> joined(const std::array<HalfFloats, 3>& lower,
-                                              const std::array<HalfFloats, 3>& upper)
-{
-    return {joined(lower[0], upper[0]), joined(lower[1], upper[1]), joined(lower[2], upper[2])};
-}
-
 FROSTFILL_INLINE Floats root(Floats value)
 {
     Floats result;
@@ -147,13 +135,6 @@ FROSTFILL_INLINE Word blended(Word colour, Word below)
 FROSTFILL_INLINE Floats iota()
 {
     return Floats{0, 1, 2, 3, 4, 5, 6, 7};
-}
-
-template <class ValueOf>
-FROSTFILL_INLINE Floats eight(ValueOf valueOf)
-{
-    return Floats{valueOf(0), valueOf(1), valueOf(2), valueOf(3),
-                  valueOf(4), valueOf(5), valueOf(6), valueOf(7)};
 }
 
 } // namespace frostfill::lanes

@@ -1,12 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/shell/kept_shell.hpp"
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace frostfill
 {
+namespace
+{
 
-KeptShell::KeptShell(ShellRaster& shell, std::size_t tiles, std::size_t planes, bool avx2,
-                     std::size_t mostBytes)
-    : shell_(shell), planes_(planes), avx2_(avx2), mostBytes_(mostBytes), tiles_(tiles)
+std::size_t bytesOf(const std::vector<ShellPiece>& pieces)
+{
+    return pieces.capacity() * sizeof(ShellPiece);
+}
+
+/// Of sorted pieces: the first surfaces over each sample, the second and so on, in as few as there
+/// are. Neighbours in a surface cover samples side by side.
+std::vector<ShellPiece> asLayers(std::span<const ShellPiece> pieces)
+{
+    std::vector<ShellPiece> layers;
+    std::array<std::size_t, kLanes> next{}; // the layer of each sample
+    for (const ShellPiece& piece : pieces)
+    {
+        if (layers.empty() || layers.back().at != piece.at || layers.back().plane != piece.plane)
+        {
+            next.fill(layers.size());
+        }
+        for (std::size_t lane = 0; lane < kLanes; ++lane)
+        {
+            if (piece.colour[lane] != 0)
+            {
+                if (next[lane] == layers.size())
+                {
+                    layers.push_back({{}, {}, piece.plane, piece.at});
+                }
+                ShellPiece& layer = layers[next[lane]++];
+                layer.inverseDepth[lane] = piece.inverseDepth[lane];
+                layer.colour[lane] = piece.colour[lane];
+            }
+        }
+    }
+    layers.shrink_to_fit();
+    return layers;
+}
+
+} // namespace
+
+KeptShell::KeptShell(const ShellRaster& shell, std::size_t tiles, std::size_t mostBytes)
+    : shell_(shell), mostBytes_(mostBytes), tiles_(tiles)
 {
 }
 
@@ -20,25 +62,21 @@ void KeptShell::forget()
 
 void KeptShell::forget(std::size_t tile)
 {
-    if (tiles_[tile].layers)
-    {
-        bytes_ -= tiles_[tile].layers->bytes();
-        tiles_[tile].layers.reset();
-    }
-    tiles_[tile].drawn = 0;
+    bytes_ -= bytesOf(tiles_[tile].pieces);
+    tiles_[tile] = {};
 }
 
 void KeptShell::draw(std::size_t tile, std::span<const std::uint32_t> triangles,
                      const TilePart& part, SampleTile& to, const RestingTile& resting)
 {
     Tile& own = tiles_[tile];
-    if (!own.layers && own.drawn >= kTilePixels)
+    if (!own.isKept && own.drawn >= kTilePixels)
     {
         keep(own, triangles, part);
     }
-    if (own.layers)
+    if (own.isKept)
     {
-        own.layers->blend(avx2_, part.pixels, to);
+        shell_.blend(own.pieces, part.pixels, to);
         return;
     }
     own.drawn += part.pixels.area();
@@ -52,14 +90,14 @@ void KeptShell::keep(Tile& tile, std::span<const std::uint32_t> triangles, const
     {
         return;
     }
-    ShellRecord& record = records_.local();
-    record.clear();
-    shell_.record(triangles, {part.left, part.bottom, {0, 0, kTileEdge, kTileEdge}}, record);
-    if (!record.overflowed())
-    {
-        tile.layers.emplace(record, planes_);
-        bytes_ += tile.layers->bytes();
-    }
+    std::vector<ShellPiece> pieces;
+    shell_.record(triangles, {part.left, part.bottom, {0, 0, kTileEdge, kTileEdge}}, pieces);
+    const auto place = [](const ShellPiece& piece) { return std::pair(piece.at, piece.plane); };
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [&](const ShellPiece& a, const ShellPiece& b) { return place(a) < place(b); });
+    tile.pieces = asLayers(pieces);
+    tile.isKept = true;
+    bytes_ += bytesOf(tile.pieces);
 }
 
 } // namespace frostfill

@@ -1,30 +1,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/raster/shell/shell_layers.hpp"
 #include "render/raster/shell/shell_raster.hpp"
 
-#include <tbb/enumerable_thread_specific.h>
-
 #include <atomic>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace frostfill
 {
 
-/// Draws the shell tile by tile. Where it has drawn a tile's worth of pixels and nothing of the
-/// shell has changed since, it keeps what it shows and only blends that.
+/// Draws the shell tile by tile. Once it has drawn a tile's worth of pixels and nothing of the
+/// shell has changed since, it keeps the colours of that tile and only blends them.
 class KeptShell
 {
 public:
     /// Keeps up to so many bytes.
     static constexpr std::size_t kMostBytes = std::size_t{96} << 20;
 
-    /// `shell` must stay; `planes` of samples. `avx2` as lanes::hasAvx2().
-    KeptShell(ShellRaster& shell, std::size_t tiles, std::size_t planes, bool avx2,
-              std::size_t mostBytes = kMostBytes);
+    /// `shell` must stay.
+    KeptShell(const ShellRaster& shell, std::size_t tiles, std::size_t mostBytes = kMostBytes);
 
     /// The camera has moved.
     void forget();
@@ -35,24 +30,22 @@ public:
     void draw(std::size_t tile, std::span<const std::uint32_t> triangles, const TilePart& part,
               SampleTile& to, const RestingTile& resting);
 
-    [[nodiscard]] bool keeps(std::size_t tile) const { return tiles_[tile].layers.has_value(); }
+    [[nodiscard]] bool keeps(std::size_t tile) const { return tiles_[tile].isKept; }
 
 private:
     struct Tile
     {
-        std::optional<ShellLayers> layers;
-        std::int64_t drawn = 0; ///< pixels since it changed
+        std::vector<ShellPiece> pieces; ///< row by row, in the order in which they are blended
+        std::int64_t drawn = 0;         ///< pixels since it changed
+        bool isKept = false;            ///< and there may be none
     };
 
     void keep(Tile& tile, std::span<const std::uint32_t> triangles, const TilePart& part);
 
-    ShellRaster& shell_;
-    std::size_t planes_;
-    bool avx2_;
+    const ShellRaster& shell_;
     std::size_t mostBytes_;
     std::vector<Tile> tiles_;
     std::atomic<std::size_t> bytes_ = 0;
-    tbb::enumerable_thread_specific<ShellRecord> records_;
 };
 
 } // namespace frostfill

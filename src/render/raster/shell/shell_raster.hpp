@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Room: the shell in tiles: its triangles by rows or as specks, its lines, and what of it is kept
+// Room: the shell in tiles: its triangles, row by row, its lines, and the colours that are kept
 // from picture to picture.
 #pragma once
 
 #include "render/picture/mesh_shading.hpp"
 #include "render/picture/painter_settings.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
-#include "render/raster/shell/shell_layers.hpp"
-#include "render/raster/shell/shell_specks.hpp"
 #include "render/raster/shell/shell_vertices.hpp"
 #include "render/raster/spheres/resting_tile.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
@@ -19,11 +17,6 @@
 
 namespace frostfill
 {
-
-namespace lanes
-{
-struct Slopes;
-}
 
 /// The planes of a cutaway before the camera. Where the ray through (x, y) meets the plane at
 /// distance 1, or the place itself without perspective, is (left + perColumn * x, bottom + perRow *
@@ -47,6 +40,17 @@ struct ShellRows
     float lineWidth = 1;
     bool print = false; ///< lines lie in the film and not over it
     ShellCut cut{};
+};
+
+/// What a triangle blends over kLanes samples of one plane of a tile.
+struct ShellPiece
+{
+    std::array<float, kLanes> inverseDepth;
+    std::array<std::uint32_t, kLanes> colour; ///< premultiplied, 0 for none
+    std::uint16_t plane = 0;
+    std::uint16_t at = 0; ///< the first sample in the plane
+
+    [[nodiscard]] int row() const { return at / kTileEdge; }
 };
 
 /// Draws the shell as mesh.vert and mesh.frag do, a sample at a time. A length in the picture that
@@ -91,12 +95,14 @@ public:
     /// draw, each into a tile of its own.
     void draw(std::span<const std::uint32_t> triangles, const TilePart& part, SampleTile& tile,
               const RestingTile* resting = nullptr) const;
-    /// Takes down what draw() would blend over a tile in which nothing lies.
+    /// Notes what draw() would blend over a tile in which nothing lies.
     void record(std::span<const std::uint32_t> triangles, const TilePart& part,
-                ShellRecord& record) const;
+                std::vector<ShellPiece>& pieces) const;
+    /// Blends what record() has noted of a tile, sorted by rows.
+    void blend(std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
+               SampleTile& tile) const;
 
-    /// How one triangle looks. What is worked out in lanes comes first: it is written as it lies
-    /// here.
+    /// How one triangle looks to a camera.
     struct Setup
     {
         /// Distance from each edge: across * x + upwards * y + from, inside positive [pixel].
@@ -113,7 +119,7 @@ public:
         float pixelsOfFacing = 0;         ///< the length over which facing changes by 1 [pixel]
         float crease = 0;                 ///< strength of others' creases
         float pixelsOfCrease = 0;
-        std::array<float, 3> creaseDistance;
+        std::array<float, 3> creaseDistance{};
         glm::vec3 base; ///< colour [0..255]
         float density = 0, rimDensity = 0;
         glm::vec3 ink;      ///< [0..255]
@@ -131,10 +137,7 @@ private:
         std::array<std::int16_t, 4> edges{}; ///< as a PixelRectangle; empty if it shows no sample
         float nearest = 0;                   ///< no point of it is nearer; see kNothing
         bool front = false;                  ///< faces the viewer
-        bool small = false;                  ///< in the picture
-        bool speck = false;                  ///< drawn as a ShellSpeck
         bool cut = false;                    ///< the cutaway may take a part of it
-        std::uint8_t which = 0;              ///< of the specks of its kLanes triangles
 
         [[nodiscard]] PixelRectangle pixels() const
         {
@@ -142,33 +145,21 @@ private:
         }
         [[nodiscard]] bool empty() const { return edges[0] == edges[2]; }
     };
-    [[nodiscard]] const ShellSpeck& speckOf(std::uint32_t triangle) const
-    {
-        return specks_[triangle - triangle % kLanes + places_[triangle].which];
-    }
 
-    /// Where a vertex is in the picture; what most triangles need.
-    struct PlacedVertex
-    {
-        glm::dvec2 pixel;
-        float nearest;              ///< inverse depth; largest where it is not ahead of the eye
-        float facing;               ///< cosine of the angle between the normal and the viewer
-        std::array<float, 2> light; ///< on the side that turns its back, and on the other
-    };
-
-    /// A vertex before the camera; what else the others need.
+    /// A vertex before the camera.
     struct Vertex
     {
         /// (x, y, 1) in the picture times what they are divided by: the sides of a triangle are
         /// then planes through the origin, also where the eye's plane cuts it [Olano & Greer 1997].
         glm::dvec3 corner;
-        double height;    ///< inverse depth times corner.z
-        glm::vec3 normal; ///< [eye space]
+        double height;              ///< inverse depth times corner.z
+        glm::dvec2 pixel;           ///< in the picture
+        float nearest;              ///< inverse depth; largest where it is not ahead of the eye
+        float facing;               ///< cosine of the angle between the normal and the viewer
+        glm::vec3 normal;           ///< [eye space]
+        std::array<float, 2> light; ///< on the side that turns its back, and on the other
     };
-
-    /// Triangles whose looks are worked out at once; the last one again, where it is fewer.
-    using Triangles = std::array<std::uint32_t, kLanes>;
-    class PaintLanes;
+    using Corners = std::array<const Vertex*, 3>;
 
     /// Of a state, and one side.
     struct Paint
@@ -177,51 +168,15 @@ private:
         shading::ShellPaint own;
     };
 
-    [[nodiscard]] const Paint& paintOf(PolygonState state, bool front) const
-    {
-        return paints_[static_cast<std::size_t>(state)][front ? 1 : 0];
-    }
-    /// Where so many vertices are, or fewer at the end, and how much light they have.
-    void placeVertices(std::uint32_t first);
-    void placeVerticesAvx2(std::uint32_t first);
-    void placeVerticesPlain(std::uint32_t first);
-    void placeVerticesAny(std::uint32_t first);
-
-    /// Where so many triangles are in the picture, or fewer at the end.
-    void place(std::uint32_t first);
-    void placeAvx2(std::uint32_t first);
-    void placePlain(std::uint32_t first);
-    void placeAny(std::uint32_t first);
-    template <class Ends>
-    void placeHalf(std::uint32_t first, const Ends& ends);
-    struct SpeckSpots;
-    struct SpeckColours;
-    [[nodiscard]] SpeckSpots spotsOf(std::uint32_t first) const;
-    template <class Ends>
-    void placeSpecks(const SpeckSpots& spots, const Ends& lower, const Ends& upper);
-    template <class Ends, class Edges>
-    [[nodiscard]] SpeckColours coloursOf(const SpeckSpots& spots, const Ends& lower,
-                                         const Ends& upper, const Edges& edges,
-                                         const lanes::Slopes& slopes) const;
-    [[nodiscard]] bool facesViewer(std::uint32_t triangle) const;
-    /// Finds out what the cutaway may take of some.
-    void cutPlaces(std::uint32_t first);
-    /// How some look.
-    void setUpAvx2(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
-    void setUpPlain(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
-    void setUpAny(const Triangles& triangles, std::array<Setup, kLanes>& setups) const;
-    template <class Ends, class Columns>
-    void setLight(const Triangles& triangles, const Ends& lower, const Ends& upper,
-                  const lanes::Slopes& slopes, Columns& columns) const;
-    template <class Columns>
-    void setSurfaces(const Triangles& triangles, const lanes::Slopes& slopes,
-                     Columns& columns) const;
-    template <class Columns>
-    void setStrokes(const Triangles& triangles, const PaintLanes& paints,
-                    const lanes::Slopes& slopes, Columns& columns) const;
-    template <class Target>
-    void drawTo(Target& target, std::span<const std::uint32_t> triangles, const TilePart& part,
-                const RestingTile* resting) const;
+    void placeVertex(std::size_t index);
+    [[nodiscard]] Corners cornersOf(std::uint32_t triangle) const;
+    [[nodiscard]] Place placeOf(std::uint32_t triangle) const;
+    [[nodiscard]] Setup setUp(std::uint32_t triangle) const;
+    /// Finds what the cutaway may take of a triangle.
+    void cut(const std::array<glm::vec3, 3>& corners, Place& place) const;
+    static void setSides(const Corners& corners, Setup& setup);
+    void setStrokes(std::uint32_t triangle, const shading::ShellPaint& paint,
+                    const Corners& corners, Setup& setup) const;
 
     const ShadedMesh& mesh_;
     ShaderVariant variant_;
@@ -236,11 +191,9 @@ private:
     float front_ = 0;
     ShellVertices shape_;
     std::vector<Vertex> vertices_;                       ///< [shape_] for this camera
-    std::vector<PlacedVertex> placed_;                   ///< [shape_] for this camera
     std::span<const std::array<std::uint8_t, 3>> edges_; ///< [#T]
     std::vector<PolygonState> states_;                   ///< [#T]
     std::vector<Place> places_;                          ///< [#T] for this camera
-    std::vector<ShellSpeck> specks_; ///< [#T] those of kLanes triangles together
     std::vector<std::uint32_t> changed_;
 };
 

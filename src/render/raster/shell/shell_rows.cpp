@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/shell/shell_rows.hpp"
 
-#include "render/raster/lanes/block.hpp"
 #include "render/raster/shell/shell_cut.hpp"
 #include "render/raster/shell/shell_surface.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <type_traits>
 
 namespace frostfill
 {
@@ -47,42 +45,6 @@ FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
                       : std::array{0, 0};
 }
 
-/// Blends what is before the samples of a tile.
-template <class In>
-FROSTFILL_INLINE Mask isBefore(const SampleTile& tile, std::size_t plane, std::size_t at,
-                               Floats inverseDepth)
-{
-    return inverseDepth > In::template load<Floats>(tile.inverseDepth[plane].data() + at);
-}
-
-template <class In>
-FROSTFILL_INLINE void put(SampleTile& tile, std::size_t plane, std::size_t at, Floats /*depth*/,
-                          Words colour)
-{
-    std::uint32_t* shown = tile.colour[plane].data() + at;
-    In::store(blended(colour, In::template load<Words>(shown)), shown);
-}
-
-/// Takes down all.
-template <class In>
-FROSTFILL_INLINE Mask isBefore(const ShellRecord& /*record*/, std::size_t /*plane*/,
-                               std::size_t /*at*/, Floats inverseDepth)
-{
-    return inverseDepth > all(kNothing);
-}
-
-template <class In>
-FROSTFILL_INLINE void put(ShellRecord& record, std::size_t plane, std::size_t at,
-                          Floats inverseDepth, Words colour)
-{
-    static_assert(In::kRows == 1);
-    std::array<float, kLanes> depths;
-    std::array<std::uint32_t, kLanes> colours;
-    store(inverseDepth, depths.data());
-    store(colour, colours.data());
-    record.add(plane, at, depths, colours);
-}
-
 /// What there is on a triangle.
 enum class Detail
 {
@@ -91,20 +53,22 @@ enum class Detail
     cut, ///< lines too
 };
 
-/// Draws a triangle block by block.
-template <class In, int samples, Detail detail, class Target>
+/// Draws a triangle, kLanes pixels of a row at a time.
+template <int samples, Detail detail>
 struct Painter
 {
-    const Setup s; // a copy, so that the target cannot be part of it
+    const Setup s; // a copy, so that the tile cannot be part of it
     const Frame f;
-    Target& target;
+    SampleTile& tile;
+    std::vector<ShellPiece>* const record;
     std::array<std::array<float, samples>, 3> edgeAt;
     std::array<float, samples> nearAt;
     float nearX = 0;
     float nearY = 0;
 
-    FROSTFILL_INLINE Painter(const Setup& setup, const Frame& frame, Target& to)
-        : s(setup), f(frame), target(to)
+    FROSTFILL_INLINE Painter(const Setup& setup, const Frame& frame, SampleTile& to,
+                             std::vector<ShellPiece>* pieces)
+        : s(setup), f(frame), tile(to), record(pieces)
     {
         for (std::size_t i = 0; i < 3; ++i)
         {
@@ -122,8 +86,8 @@ struct Painter
         }
     }
 
-    /// Of the pixels around (x, y), which lie in the tile from `at` on, those in `drawn`.
-    FROSTFILL_INLINE void draw(Floats x, Floats y, std::size_t at, Mask drawn)
+    /// At the pixels around (x, y), which lie in the tile from `at` on.
+    FROSTFILL_INLINE void draw(Floats x, Floats y, std::size_t at)
     {
         const Floats d0 = s.across[0] * x + (s.upwards[0] * y + s.from[0]);
         const Floats d1 = s.across[1] * x + (s.upwards[1] * y + s.from[1]);
@@ -133,9 +97,9 @@ struct Painter
         Mask seenAtAll{};
         for (std::size_t k = 0; k < samples; ++k)
         {
-            const Mask is = drawn & (d0 + edgeAt[0][k] > s.least[0]) &
-                            (d1 + edgeAt[1][k] > s.least[1]) & (d2 + edgeAt[2][k] > s.least[2]) &
-                            isBefore<In>(target, k, at, isNear + nearAt[k]);
+            const Mask is = (d0 + edgeAt[0][k] > s.least[0]) & (d1 + edgeAt[1][k] > s.least[1]) &
+                            (d2 + edgeAt[2][k] > s.least[2]) &
+                            (isNear + nearAt[k] > load<Floats>(tile.inverseDepth[k].data() + at));
             seen[k] = reinterpret_cast<Words>(is);
             seenAtAll |= is;
         }
@@ -168,18 +132,27 @@ struct Painter
                              channel(s.base.b, s.ink.b) << 16 | alpha << 24;
         for (std::size_t k = 0; k < samples; ++k)
         {
-            put<In>(target, k, at, isNear + nearAt[k], colour & seen[k]); // clear if not seen
+            const Words drawn = colour & seen[k]; // clear if not seen
+            std::uint32_t* shown = tile.colour[k].data() + at;
+            store(blended(drawn, load<Words>(shown)), shown);
+            if (record != nullptr && any(drawn != 0))
+            {
+                ShellPiece& piece = record->emplace_back();
+                store(isNear + nearAt[k], piece.inverseDepth.data());
+                store(drawn, piece.colour.data());
+                piece.plane = static_cast<std::uint16_t>(k);
+                piece.at = static_cast<std::uint16_t>(at);
+            }
         }
     }
 };
 
-/// Row by row, lanes that begin at multiples of kLanes.
-template <int samples, Detail detail, class Target>
+template <int samples, Detail detail>
 FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
-                               const TilePart& part, Target& target)
+                               const TilePart& part, SampleTile& tile,
+                               std::vector<ShellPiece>* record)
 {
-    using Row = Block<1>;
-    Painter<Row, samples, detail, Target> painter(setup, frame, target);
+    Painter<samples, detail> painter(setup, frame, tile, record);
     const PixelRectangle rows = inWholeLanes(pixels);
     const bool narrow = rows.width() <= kLanes; // to look for the columns takes longer
     std::array<float, 3> overAcross;
@@ -197,105 +170,98 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
         for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
         {
             const int pixel = y * kTileEdge + x;
-            painter.draw(static_cast<float>(part.left + x) + 0.5F + Row::across(), all(yAt),
-                         static_cast<std::size_t>(pixel), ~Mask{});
+            painter.draw(static_cast<float>(part.left + x) + 0.5F + iota(), all(yAt),
+                         static_cast<std::size_t>(pixel));
         }
     }
 }
 
-/// What is at most as wide as two rows of a block.
-template <int samples, Detail detail>
-FROSTFILL_INLINE void drawFew(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
-                              const TilePart& part, SampleTile& tile)
-{
-    using Two = Block<2>;
-    Painter<Two, samples, detail, SampleTile> painter(setup, frame, tile);
-    const int x = std::min(pixels.left, kTileEdge - Two::kColumns);
-    const Floats columns = static_cast<float>(x) + Two::across();
-    const Mask inColumns =
-        (columns >= static_cast<float>(pixels.left)) & (columns < static_cast<float>(pixels.right));
-    for (int bottom = pixels.bottom; bottom < pixels.top; bottom += Two::kRows)
-    {
-        const int y = std::min(bottom, kTileEdge - Two::kRows);
-        const Floats rows = static_cast<float>(y) + Two::upwards();
-        const Mask inRows =
-            (rows >= static_cast<float>(bottom)) & (rows < static_cast<float>(pixels.top));
-        const int pixel = y * kTileEdge + x;
-        painter.draw(static_cast<float>(part.left) + 0.5F + columns,
-                     static_cast<float>(part.bottom) + 0.5F + rows, static_cast<std::size_t>(pixel),
-                     inColumns & inRows);
-    }
-}
-
-template <int samples, Detail detail, class Target>
-FROSTFILL_INLINE void drawPart(const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
-                               const TilePart& part, Target& target)
-{
-    if constexpr (std::is_same_v<Target, SampleTile>)
-    {
-        if (pixels.width() <= Block<2>::kColumns)
-        {
-            drawFew<samples, detail>(setup, frame, pixels, part, target);
-            return;
-        }
-    }
-    drawRows<samples, detail>(setup, frame, pixels, part, target);
-}
-
-template <int samples, class Target>
+template <int samples>
 FROSTFILL_INLINE void drawDetail(const Setup& setup, const Frame& frame,
-                                 const PixelRectangle& pixels, const TilePart& part, Target& target)
+                                 const PixelRectangle& pixels, const TilePart& part,
+                                 SampleTile& tile, std::vector<ShellPiece>* record)
 {
     if (setup.cut)
     {
-        drawPart<samples, Detail::cut>(setup, frame, pixels, part, target);
+        drawRows<samples, Detail::cut>(setup, frame, pixels, part, tile, record);
     }
     else if (setup.lines)
     {
-        drawPart<samples, Detail::lines>(setup, frame, pixels, part, target);
+        drawRows<samples, Detail::lines>(setup, frame, pixels, part, tile, record);
     }
     else
     {
-        drawPart<samples, Detail::film>(setup, frame, pixels, part, target);
+        drawRows<samples, Detail::film>(setup, frame, pixels, part, tile, record);
     }
 }
 
-template <class Target>
 FROSTFILL_INLINE void drawAny(int samples, const Setup& setup, const Frame& frame,
-                              const PixelRectangle& pixels, const TilePart& part, Target& target)
+                              const PixelRectangle& pixels, const TilePart& part, SampleTile& tile,
+                              std::vector<ShellPiece>* record)
 {
-    samples > 1 ? drawDetail<kMaxTileSamples>(setup, frame, pixels, part, target)
-                : drawDetail<1>(setup, frame, pixels, part, target);
+    samples > 1 ? drawDetail<kMaxTileSamples>(setup, frame, pixels, part, tile, record)
+                : drawDetail<1>(setup, frame, pixels, part, tile, record);
 }
 
-template <class Target>
 FROSTFILL_AVX2 void drawAvx2(int samples, const Setup& setup, const Frame& frame,
-                             const PixelRectangle& pixels, const TilePart& part, Target& target)
+                             const PixelRectangle& pixels, const TilePart& part, SampleTile& tile,
+                             std::vector<ShellPiece>* record)
 {
-    drawAny(samples, setup, frame, pixels, part, target);
+    drawAny(samples, setup, frame, pixels, part, tile, record);
 }
 
-template <class Target>
 void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
-               const TilePart& part, Target& target)
+               const TilePart& part, SampleTile& tile, std::vector<ShellPiece>* record)
 {
-    drawAny(samples, setup, frame, pixels, part, target);
+    drawAny(samples, setup, frame, pixels, part, tile, record);
+}
+
+/// Where a piece is before what is there.
+FROSTFILL_INLINE void blendAny(std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
+                               SampleTile& tile)
+{
+    for (const ShellPiece& piece : pieces)
+    {
+        const int column = piece.at % kTileEdge;
+        if (column >= pixels.left && column < pixels.right)
+        {
+            std::uint32_t* shown = tile.colour[piece.plane].data() + piece.at;
+            const Mask seen = load<Floats>(piece.inverseDepth.data()) >
+                              load<Floats>(tile.inverseDepth[piece.plane].data() + piece.at);
+            store(blended(load<Words>(piece.colour.data()) & reinterpret_cast<Words>(seen),
+                          load<Words>(shown)),
+                  shown);
+        }
+    }
+}
+
+FROSTFILL_AVX2 void blendAvx2(std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
+                              SampleTile& tile)
+{
+    blendAny(pieces, pixels, tile);
+}
+
+void blendPlain(std::span<const ShellPiece> pieces, const PixelRectangle& pixels, SampleTile& tile)
+{
+    blendAny(pieces, pixels, tile);
 }
 
 } // namespace
 
 void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
-                   const PixelRectangle& pixels, const TilePart& part, SampleTile& tile)
+                   const PixelRectangle& pixels, const TilePart& part, SampleTile& tile,
+                   std::vector<ShellPiece>* record)
 {
-    (avx2 ? drawAvx2<SampleTile> : drawPlain<SampleTile>)(samples, setup, frame, pixels, part,
-                                                          tile);
+    if (setup.seen)
+    {
+        (avx2 ? drawAvx2 : drawPlain)(samples, setup, frame, pixels, part, tile, record);
+    }
 }
 
-void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
-                   const PixelRectangle& pixels, const TilePart& part, ShellRecord& record)
+void blendShellPieces(bool avx2, std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
+                      SampleTile& tile)
 {
-    (avx2 ? drawAvx2<ShellRecord> : drawPlain<ShellRecord>)(samples, setup, frame, pixels, part,
-                                                            record);
+    (avx2 ? blendAvx2 : blendPlain)(pieces, pixels, tile);
 }
 
 } // namespace frostfill

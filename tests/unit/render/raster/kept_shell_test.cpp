@@ -18,20 +18,6 @@ namespace
 
 using namespace testing_support;
 
-/// Triangles behind each other, across the picture.
-TriangleMesh stackOf(int count)
-{
-    TriangleMesh mesh;
-    for (int i = 0; i < count; ++i)
-    {
-        const double z = 0.02 * i;
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.insert(mesh.vertices.end(), {{-1, -1, z}, {1, -1, z}, {0, 1, z}});
-        mesh.triangles.push_back({first, first + 1, first + 2});
-    }
-    return mesh;
-}
-
 /// A shell before a camera, drawn plainly and as kept.
 class ShellOfTiles
 {
@@ -53,8 +39,7 @@ public:
                                                samples, avx2);
         edges_ = edgeStrengths(shaded_, glm::vec3(framing_.eye), false);
         shell_->lookFrom(uniformsOf(framing_, settings_), false, settings_.size, edges_);
-        kept_ = std::make_unique<KeptShell>(*shell_, TileGrid(settings_.size).count(),
-                                            static_cast<std::size_t>(samples), avx2, mostBytes);
+        kept_ = std::make_unique<KeptShell>(*shell_, tiles(), mostBytes);
     }
 
     [[nodiscard]] ShellRaster& shell() { return *shell_; }
@@ -185,32 +170,15 @@ TEST(KeptShell, DrawsWhatItMayNotKeep)
 TEST(KeptShell, MayKeepMoreOnceItHasForgotten)
 {
     ShellOfTiles drawn(torusMesh(1, 0.4, 48, 12), kMaxTileSamples, lanes::hasAvx2(), 1);
-    drawn.draw(0);
-    drawn.draw(0);
-    drawn.draw(1);
-    drawn.draw(1);
-    EXPECT_TRUE(drawn.kept().keeps(0));
-    EXPECT_FALSE(drawn.kept().keeps(1)) << "the first has taken all";
-    drawn.kept().forget(0);
-    drawn.draw(1);
-    EXPECT_TRUE(drawn.kept().keeps(1));
-}
-
-TEST(KeptShell, DrawsATileThatIsDeeperThanItCanKeep)
-{
-    for (const int count : {30, 40})
-    {
-        ShellOfTiles drawn(stackOf(count), kMaxTileSamples, lanes::hasAvx2());
-        EXPECT_GT(drawn.drawAll(), 500);
-        drawn.drawAll();
-        drawn.drawAll();
-        int kept = 0;
-        for (std::size_t tile = 0; tile < drawn.tiles(); ++tile)
-        {
-            kept += drawn.kept().keeps(tile) ? 1 : 0;
-        }
-        EXPECT_EQ(kept == static_cast<int>(drawn.tiles()), count < 32);
-    }
+    drawn.draw(6);
+    drawn.draw(6);
+    drawn.draw(8);
+    drawn.draw(8);
+    EXPECT_TRUE(drawn.kept().keeps(6));
+    EXPECT_FALSE(drawn.kept().keeps(8)) << "the first has taken all";
+    drawn.kept().forget(6);
+    drawn.draw(8);
+    EXPECT_TRUE(drawn.kept().keeps(8));
 }
 
 } // namespace

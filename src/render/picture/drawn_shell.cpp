@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "render/picture/drawn_shell.hpp"
+
+#include "mesh/triangle_shape.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace frostfill
+{
+namespace
+{
+
+/// Estimated between the shell and the true mesh. Single points are up to three times as far.
+constexpr double kMostPixels = 0.5;
+
+} // namespace
+
+DrawnShell::DrawnShell(const TriangleMesh& mesh, const RenderSettings& settings,
+                       const Framing& framing)
+    : height_(settings.size.height)
+{
+    // With the edges of all triangles a picture shows the triangles themselves.
+    if (settings.style.shell && settings.style.edges != EdgeLines::on &&
+        mesh.triangles.size() > kShellTriangles)
+    {
+        dense_ = mesh;
+    }
+    shell_.mesh = mesh;
+    lookFrom(framing);
+}
+
+/// A power of two [unit space] as a length of the mesh, so that it seldom changes when the camera
+/// moves; 0 for the true mesh.
+double DrawnShell::wantedDistance(const Framing& framing) const
+{
+    if (dense_.triangles.empty())
+    {
+        return 0;
+    }
+    // Everything lies within 1 of the origin of unit space, and a turntable goes round the pivot.
+    const double nearest =
+        framing.orthographic ? 1 : framing.reach - 1 - glm::length(framing.pivot);
+    const double pixelsPerUnit = framing.projection[1][1] * height_ / 2 / nearest;
+    return nearest > 0
+               ? std::exp2(std::floor(std::log2(kMostPixels / pixelsPerUnit))) / framing.scale
+               : 0;
+}
+
+bool DrawnShell::lookFrom(const Framing& framing)
+{
+    const double wanted = wantedDistance(framing);
+    if (wanted == distance_)
+    {
+        return false;
+    }
+    distance_ = wanted;
+    shell_ = simplifyWithin(dense_, wanted);
+    return true;
+}
+
+ShadedMesh DrawnShell::shaded(const Framing& framing, bool fadingLines) const
+{
+    std::vector<glm::vec3> normals(shell_.isTrue() ? 0 : shell_.mesh.triangles.size());
+    for (const auto& [shown, triangle] : shell_.standsFor)
+    {
+        const auto& [a, b, c] = cornersOf(dense_, triangle);
+        const Eigen::Vector3f normal = (b - a).cross(c - a).stableNormalized().cast<float>();
+        normals[shown] += glm::vec3(normal.x(), normal.y(), normal.z());
+    }
+    for (glm::vec3& normal : normals)
+    {
+        normal /= std::max(glm::length(normal), 1e-6F);
+    }
+    return shadeMesh(shell_.mesh, inUnitSpace(shell_.mesh, framing), fadingLines, normals);
+}
+
+std::span<const PolygonState> DrawnShell::states(std::span<const PolygonState> polygons)
+{
+    if (shell_.isTrue() || polygons.empty())
+    {
+        return polygons;
+    }
+    showPolygons(shell_, polygons, states_);
+    return states_;
+}
+
+} // namespace frostfill
