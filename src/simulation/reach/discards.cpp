@@ -19,7 +19,7 @@ namespace
 {
 
 /// New spheres that are looked at together. Larger: more memory, for those that go at once.
-constexpr std::uint32_t kBatch = 1U << 12U;
+constexpr std::uint32_t kAtOnce = 1U << 12U;
 
 const Eigen::Vector3d kUnknown = Eigen::Vector3d::Constant(std::nan(""));
 
