@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: a shell of fewer triangles, for pictures and files that only show an object. It says how far
-// it is from the true one.
+// Room: a shell of fewer triangles, for pictures and files that only show an object. It says how
+// far it is from the true one.
 #pragma once
 
 #include <cstddef>

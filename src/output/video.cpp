@@ -205,6 +205,7 @@ void Video::start(const Image& image)
         words.push_back("file:" + (isGif(file_) ? raw_ : part_).string());
     }
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words)
     {
         arguments.push_back(word.data());
@@ -286,7 +287,7 @@ std::string Video::complaint() const
 {
     std::string all(static_cast<std::size_t>(std::max<off_t>(::lseek(said_, 0, SEEK_END), 0)), 0);
     std::ignore = ::pread(said_, all.data(), all.size(), 0);
-    all.erase(all.find_last_not_of("\n") + 1);
+    all.erase(all.find_last_not_of('\n') + 1);
     return complaintOf(all.substr(all.rfind('\n') + 1));
 }
 

@@ -129,6 +129,69 @@ struct AnyRange
     bool operator()(const CellRange&) const { return true; }
 };
 
+/// Cells that may have their middle within a distance of a group of triangles: of its box, and of
+/// the plane of a triangle alone.
+class RowsNear
+{
+public:
+    RowsNear(const GridFrame& frame, const Surface& surface, const TriangleGroup& group,
+             double distance)
+        : frame_(frame), box_(group.box), bound_(surface.bound(group.triangles[0])),
+          hasPlane_(group.triangles.size() == 1 && bound_.normal.x() != 0),
+          far_(distance + kFilterRounding * frame.cell)
+    {
+    }
+
+    /// Around all of them.
+    [[nodiscard]] CellRange all() const
+    {
+        CellRange all{};
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            const auto [first, last] =
+                frame_.centresWithin(axis, box_.min()[axis] - far_, box_.max()[axis] + far_);
+            all.low[axis] = first;
+            all.high[axis] = last;
+        }
+        return all;
+    }
+    /// Those of a row; `row` is the middle of its first cell.
+    [[nodiscard]] CellRun runIn(const CellRange& range, const Eigen::Vector3d& row) const
+    {
+        const double left = far_ * far_ - squareBeside(row.y(), 1) - squareBeside(row.z(), 2);
+        if (left < 0)
+        {
+            return CellRun{0, -1};
+        }
+        const double along = std::sqrt(left);
+        double from = box_.min().x() - along;
+        double to = box_.max().x() + along;
+        if (hasPlane_)
+        {
+            const double inPlane =
+                row.x() + (bound_.offset - bound_.normal.dot(row)) / bound_.normal.x();
+            const double beside = far_ / std::abs(bound_.normal.x());
+            from = std::max(from, inPlane - beside);
+            to = std::min(to, inPlane + beside);
+        }
+        const auto [first, last] = frame_.centresWithin(0, from, to);
+        return CellRun{std::max(first, range.low[0]), std::min(last, range.high[0])};
+    }
+
+private:
+    [[nodiscard]] double squareBeside(double p, int axis) const
+    {
+        const double outside = std::max({0.0, box_.min()[axis] - p, p - box_.max()[axis]});
+        return outside * outside;
+    }
+
+    const GridFrame& frame_;
+    const Eigen::AlignedBox3d& box_;
+    const TriangleBound& bound_;
+    bool hasPlane_;
+    double far_;
+};
+
 /// Finds the cells of a grid whose middle is within `distance` of a group of triangles. Calls
 /// visit(y, z, run, isNear) for rows with a run of cells that may be, of which isNear(x) tells; a
 /// row may come in several runs. Leaves out ranges that are not worth it, of those that are not
@@ -139,44 +202,14 @@ void forEachRunNear(const GridFrame& frame, const Surface& surface, const Triang
 {
     constexpr int kFewCells = 10; // along an axis, up to which a range is not halved
     const NearGroup near(surface, group, distance);
-    const double far = distance + kFilterRounding * frame.cell;
-    const Eigen::AlignedBox3d& box = group.box;
-    const auto squareBeside = [&](double p, int axis)
-    {
-        const double outside = std::max({0.0, box.min()[axis] - p, p - box.max()[axis]});
-        return outside * outside;
-    };
-    const TriangleBound& bound = surface.bound(group.triangles[0]);
-    const bool isPlane = group.triangles.size() == 1 && bound.normal.x() != 0;
-    // Middles of cells of a row that are within the distance of the box, and of a triangle's plane.
-    const auto runOf = [&](const CellRange& range, const Eigen::Vector3d& row)
-    {
-        const double left = far * far - squareBeside(row.y(), 1) - squareBeside(row.z(), 2);
-        if (left < 0)
-        {
-            return CellRun{0, -1};
-        }
-        const double along = std::sqrt(left);
-        double from = box.min().x() - along;
-        double to = box.max().x() + along;
-        if (isPlane)
-        {
-            const double inPlane =
-                row.x() + (bound.offset - bound.normal.dot(row)) / bound.normal.x();
-            const double beside = far / std::abs(bound.normal.x());
-            from = std::max(from, inPlane - beside);
-            to = std::min(to, inPlane + beside);
-        }
-        const auto [first, last] = frame.centresWithin(0, from, to);
-        return CellRun{std::max(first, range.low[0]), std::min(last, range.high[0])};
-    };
+    const RowsNear rows(frame, surface, group, distance);
     const auto visitRows = [&](const CellRange& range)
     {
         for (int y = range.low[1]; y <= range.high[1]; ++y)
         {
             for (int z = range.low[2]; z <= range.high[2]; ++z)
             {
-                const CellRun run = runOf(range, frame.centre(0, y, z));
+                const CellRun run = rows.runIn(range, frame.centre(0, y, z));
                 if (run.first <= run.last)
                 {
                     visit(y, z, run,
@@ -215,14 +248,7 @@ void forEachRunNear(const GridFrame& frame, const Surface& surface, const Triang
             }
         }
     };
-    CellRange all{};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        const auto [first, last] =
-            frame.centresWithin(axis, box.min()[axis] - far, box.max()[axis] + far);
-        all.low[axis] = first;
-        all.high[axis] = last;
-    }
+    const CellRange all = rows.all();
     if (distance >= 0 && (all.low <= all.high).all())
     {
         visitHalves(visitHalves, all);

@@ -295,7 +295,7 @@ Hole mend(TriangleMesh& mesh, bool isOpen, bool lid, std::string_view name, Load
     }
     tell(repairs, "turned", makeWindingConsistent(mesh), " to agree with the neighbours");
     tell(repairs, "removed", dropSheets(mesh), " of open sheets that enclose nothing");
-    const Hole largestLeft = closeAndReport(mesh, repairs);
+    Hole largestLeft = closeAndReport(mesh, repairs);
     if (lid)
     {
         lidAndReport(mesh, result);
