@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/drawn_shell.hpp"
 
+#include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 
 #include <frostfill/image.hpp>
@@ -115,10 +116,10 @@ TEST_F(DenseShell, FacesWhereTheTrueSurfaceDoesInItsSliversToo)
 }
 
 /// A mesh of half as many triangles as are simplified shows the same torus.
-TEST_F(DenseShell, LooksLikeAMeshOfFewerTrianglesInBothBackends)
+TEST_F(DenseShell, LooksLikeAMeshOfFewerTrianglesInEveryBackend)
 {
     const TriangleMesh coarse = torusMesh(1, 0.4, 140, 70);
-    for (const Backend backend : {Backend::builtin, Backend::osmesa})
+    for (const Backend backend : test::backends())
     {
         settings_.backend = backend;
         settings_.style.legend = false;
