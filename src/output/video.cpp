@@ -110,7 +110,7 @@ bool hasProgram(const std::string& name)
 } // namespace
 
 Video::Video(std::filesystem::path file, double framesPerSecond)
-    : file_(std::move(file)), part_(file_), raw_(file_), framesPerSecond_(framesPerSecond)
+    : file_(std::move(file)), framesPerSecond_(framesPerSecond)
 {
     requireKnown(file_);
     if (!hasProgram("ffmpeg"))
@@ -135,6 +135,7 @@ void Video::create()
     }
     else
     {
+        raw_ = part_ = file_;
         // The ending tells ffmpeg the format.
         part_.replace_extension(".part" + file_.extension().string());
         raw_.replace_extension(".part.mkv");
@@ -158,11 +159,7 @@ Video::~Video()
         close();
     }
     ::close(said_);
-    if (output_ >= 0)
-    {
-        ::close(output_);
-        return;
-    }
+    ::close(output_);
     ::unlink(part_.c_str());
     ::unlink(raw_.c_str());
 }

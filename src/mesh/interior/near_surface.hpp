@@ -155,7 +155,7 @@ public:
         }
         return all;
     }
-    /// Those of a row; `row` is the middle of its first cell.
+    /// Returns those of the row whose first cell has the middle `row`.
     [[nodiscard]] CellRun runIn(const CellRange& range, const Eigen::Vector3d& row) const
     {
         const double left = far_ * far_ - squareBeside(row.y(), 1) - squareBeside(row.z(), 2);

@@ -43,7 +43,7 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
         };
         const auto enterRun = [&](int y, int z, CellRun run, auto&& isNear)
         {
-            // What is near one triangle is convex: of a row all cells between two that are.
+            // The surroundings of a triangle are convex: between two near cells all are near.
             while (isAlone && run.first <= run.last && !isNear(run.first))
             {
                 ++run.first;

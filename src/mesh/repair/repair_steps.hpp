@@ -153,9 +153,9 @@ struct Cavity
 /// a digit, and is none that exports give to something else.
 [[nodiscard]] std::string wordOfPatch(std::string_view name);
 
-/// Finds the patches of a mesh again after its repair: sorts the triangles of `loaded`, but for its
-/// lids, by the patch of the triangle as it was read that is nearest to their middle. `read` is the
-/// mesh as it was read, in `patches`, of which several may have the same name.
+/// Finds the patches of a mesh again after its repair, and sorts the triangles of `loaded` by them,
+/// but for its lids. A triangle has the patch of the triangle of `read` that is nearest to its
+/// middle. `read` is the mesh as it was read, in `patches`; several may have the same name.
 void findPatchesAgain(LoadedMesh& loaded, const TriangleMesh& read,
                       const std::vector<MeshPatch>& patches);
 

@@ -52,7 +52,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, cons
         cutSpherePass_.emplace(gl, variant_, samplePositions, settings_.style,
                                strokesFor(settings).lineWidth);
     }
-    studio_ = studioOf(mesh, inUnitSpace(mesh, framing), settings, framing);
+    studio_ = studioOf(mesh, settings, framing);
     if (variant_.occlusion)
     {
         sphereOcclusion_.emplace(lampOf(studio_), cutPlanesOf(settings_, framing));
@@ -61,8 +61,9 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, cons
     {
         ground_ = std::make_unique<GroundPass>(gl_, *studio_->ground);
     }
-    setView(framing);
+    framing_ = framing;
     setShell(shell);
+    lookFrom(framing);
     if (legend_.visible())
     {
         const ShaderVariant flat = variantOfSwatches(variant_);
@@ -95,9 +96,7 @@ void ScenePainter::setShell(const DrawnShell& shell)
         return;
     }
     shaded_ = shell.shaded(framing_, variant_.fadingLines);
-    shell_ = std::make_unique<MeshBuffer>(
-        gl_, shaded_, edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
-    findBounds();
+    shell_ = std::make_unique<MeshBuffer>(gl_, shaded_);
 }
 
 void ScenePainter::findBounds()
@@ -137,9 +136,9 @@ void ScenePainter::findBounds()
 void ScenePainter::uploadSwatches()
 {
     const SwatchShapes shapes = swatchShapes(legend_, colours_, settings_.size.height);
-    swatches_.reset(
-        new Swatches{SphereBuffer(gl_), MeshBuffer(gl_, shapes.polygons, shapes.strengths)});
+    swatches_.reset(new Swatches{SphereBuffer(gl_), MeshBuffer(gl_, shapes.polygons)});
     swatches_->spheres.update(shapes.spheres);
+    swatches_->polygons.setEdges(shapes.strengths);
     swatches_->polygons.update(shapes.states);
     flatUniforms_.projection = pixelProjection(settings_.size);
     flatUniforms_.supersample = uniforms_.supersample;

@@ -36,8 +36,7 @@ std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
 
 } // namespace
 
-MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
-                       const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths)
+MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh)
     : gl_(gl), triangles_(mesh.triangles.size()), held_(triangles_, PolygonState::active)
 {
     const std::vector<Vertex> vertices = verticesOf(mesh);
@@ -71,7 +70,6 @@ MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
                 static_cast<std::uint8_t>(std::lround(255 * mesh.creaseDistances[t][corner]));
         }
     }
-    setEdges(edgeStrengths);
 }
 
 MeshBuffer::~MeshBuffer()

@@ -19,8 +19,8 @@ namespace frostfill
 class MeshBuffer
 {
 public:
-    MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh,
-               const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths);
+    /// Its edges have to be set before it is drawn.
+    MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh);
     ~MeshBuffer();
     MeshBuffer(const MeshBuffer&) = delete;
     MeshBuffer& operator=(const MeshBuffer&) = delete;

@@ -27,9 +27,13 @@ DrawnShell::DrawnShell(const TriangleMesh& mesh, const RenderSettings& settings,
         mesh.triangles.size() > kShellTriangles)
     {
         dense_ = mesh;
+        distance_ = wantedDistance(framing);
+        shell_ = simplifyWithin(dense_, distance_);
     }
-    shell_.mesh = mesh;
-    lookFrom(framing);
+    else
+    {
+        shell_.mesh = mesh;
+    }
 }
 
 /// A power of two [unit space] as a length of the mesh, so that it seldom changes when the camera

@@ -24,7 +24,7 @@ public:
     bool lookFrom(const Framing& framing);
 
     [[nodiscard]] const TriangleMesh& mesh() const { return shell_.mesh; }
-    /// What shadeMesh() makes of it.
+    /// Returns the mesh with normals and edges, as shadeMesh() makes them.
     [[nodiscard]] ShadedMesh shaded(const Framing& framing, bool fadingLines) const;
     /// Returns the states of its triangles from those of the true ones, until the next call.
     [[nodiscard]] std::span<const PolygonState> states(std::span<const PolygonState> polygons);
@@ -33,7 +33,6 @@ private:
     [[nodiscard]] double wantedDistance(const Framing& framing) const;
 
     TriangleMesh dense_;  ///< if it may be drawn as one of fewer triangles
-    double area_ = 0;     ///< of `dense_` [square mesh unit]
     int height_;          ///< of the picture [pixel]
     double distance_ = 0; ///< from the true mesh to which `shell_` was made [mesh unit]
     SimplifiedShell shell_;

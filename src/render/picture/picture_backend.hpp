@@ -48,7 +48,7 @@ public:
 
 protected:
     [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
-    /// What is drawn as the shell.
+    /// Returns the mesh that is drawn as the shell.
     [[nodiscard]] const DrawnShell& shell() const { return shell_; }
     [[nodiscard]] std::span<const PolygonState> shellStates(const Snapshot& snapshot)
     {

@@ -30,8 +30,8 @@ void Studio::light(const Framing& framing, SphereUniforms& uniforms) const
     uniforms.above = toEye * up;
 }
 
-std::optional<Studio> studioOf(const TriangleMesh& mesh, std::span<const glm::vec3> positions,
-                               const RenderSettings& settings, const Framing& framing)
+std::optional<Studio> studioOf(const TriangleMesh& mesh, const RenderSettings& settings,
+                               const Framing& framing)
 {
     if (settings.style.look != Look::studio)
     {
@@ -43,7 +43,8 @@ std::optional<Studio> studioOf(const TriangleMesh& mesh, std::span<const glm::ve
     studio.lamp = glm::normalize(glm::vec3(toUnit * kLamp) + kRaised * studio.up);
     if (settings.style.ground && settings.poses.empty())
     {
-        GroundShadow ground = groundShadow(mesh, positions, studio.up, studio.lamp);
+        GroundShadow ground =
+            groundShadow(mesh, inUnitSpace(mesh, framing), studio.up, studio.lamp);
         if (!ground.corners.empty())
         {
             studio.ground = std::move(ground);

@@ -10,7 +10,6 @@
 #include <glm/vec3.hpp>
 
 #include <optional>
-#include <span>
 
 namespace frostfill
 {
@@ -29,12 +28,9 @@ struct Studio
     void light(const Framing& framing, SphereUniforms& uniforms) const;
 };
 
-/// None in other styles. `framing` is where the camera stands at first, `positions` are the
-/// vertices of the mesh.
-[[nodiscard]] std::optional<Studio> studioOf(const TriangleMesh& mesh,
-                                             std::span<const glm::vec3> positions,
-                                             const RenderSettings& settings,
-                                             const Framing& framing);
+/// Returns none in other styles. `framing` is where the camera stands at first.
+[[nodiscard]] std::optional<Studio>
+studioOf(const TriangleMesh& mesh, const RenderSettings& settings, const Framing& framing);
 
 /// The way to the lamp for SphereOcclusion: outside the studio there is none.
 [[nodiscard]] inline glm::vec3 lampOf(const std::optional<Studio>& studio)

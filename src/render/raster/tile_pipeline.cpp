@@ -22,8 +22,7 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
     runningIn_.resize(grid_.count());
     dirty_.resize(grid_.count());
     useShell();
-    std::optional<Studio> studio = studioOf(mesh, inUnitSpace(mesh, viewpoint().framing()),
-                                            viewpoint().settings(), viewpoint().framing());
+    std::optional<Studio> studio = studioOf(mesh, viewpoint().settings(), viewpoint().framing());
     layer_.emplace(grid_, viewpoint().settings(), samples_, std::move(studio),
                    cutPlanesOf(settings, viewpoint().framing()));
     if (viewpoint().legend().visible())

@@ -70,8 +70,8 @@ private:
     /// longer. Larger: those of scans.
     static constexpr std::size_t kMostListed = 64;
 
-    /// Of what is found in the tree, as kSkin is of what is listed. [r] Larger: more triangles to
-    /// test. Smaller: more searches.
+    /// Skin around what is found in the tree, as kSkin is around a list. [r] Larger: more triangles
+    /// to test. Smaller: more searches.
     static constexpr double kInnerSkin = 0.1;
     /// Triangles with that skin, above which a search for what is asked alone costs less.
     static constexpr std::size_t kMostWithSkin = 48;

@@ -29,8 +29,8 @@ void Guard::check()
     {
         const Eigen::Vector3d& p = running.position[row];
         const double speed = running.velocity[row].squaredNorm();
-        // What is no number is in no box, and below no speed. The side takes longer: it is asked
-        // for seldom, and not near a wall, where it takes a distance.
+        // A place that is not finite is in no box, and such a speed is below no limit. The side
+        // takes longer: it is asked for seldom, and not near a wall, where it takes a distance.
         const bool inBox = box.contains(p);
         const bool slow = speed <= fastest_;
         if (!inBox || !slow || (asksSide && world_.inside.isFarOutside(p)))

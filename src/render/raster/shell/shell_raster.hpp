@@ -42,7 +42,7 @@ struct ShellRows
     ShellCut cut{};
 };
 
-/// What a triangle blends over kLanes samples of one plane of a tile.
+/// The colours that a triangle blends over kLanes samples of one plane of a tile.
 struct ShellPiece
 {
     std::array<float, kLanes> inverseDepth;

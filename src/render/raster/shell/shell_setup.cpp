@@ -19,10 +19,10 @@ namespace
 
 using namespace lanes;
 
-/// What single precision may do to where a triangle ends. [pixel]
+/// Rounding of the places where a triangle ends, in single precision. [pixel]
 constexpr double kCoverMargin = 0.05;
 
-/// What single precision may do to how near a corner is.
+/// Rounding of the nearness of a corner, in single precision.
 constexpr float kNearer = 1e-5F;
 
 /// A triangle of no more than half this area is seen edge-on. [square pixel]

@@ -18,6 +18,20 @@ namespace
 
 using namespace testing_support;
 
+/// Triangles behind each other, across the picture.
+TriangleMesh stackOf(int count)
+{
+    TriangleMesh mesh;
+    for (int i = 0; i < count; ++i)
+    {
+        const double z = 0.02 * i;
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.insert(mesh.vertices.end(), {{-1, -1, z}, {1, -1, z}, {0, 1, z}});
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return mesh;
+}
+
 /// A shell before a camera, drawn plainly and as kept.
 class ShellOfTiles
 {
@@ -179,6 +193,23 @@ TEST(KeptShell, MayKeepMoreOnceItHasForgotten)
     drawn.kept().forget(6);
     drawn.draw(8);
     EXPECT_TRUE(drawn.kept().keeps(8));
+}
+
+TEST(KeptShell, KeepsAndDrawsTilesOfAnyDepth)
+{
+    for (const int count : {30, 40})
+    {
+        ShellOfTiles drawn(stackOf(count), kMaxTileSamples, lanes::hasAvx2());
+        EXPECT_GT(drawn.drawAll(), 500);
+        drawn.drawAll();
+        drawn.drawAll();
+        int kept = 0;
+        for (std::size_t tile = 0; tile < drawn.tiles(); ++tile)
+        {
+            kept += drawn.kept().keeps(tile) ? 1 : 0;
+        }
+        EXPECT_EQ(kept, static_cast<int>(drawn.tiles()));
+    }
 }
 
 } // namespace
