@@ -38,9 +38,6 @@ struct ImageDifference
 };
 [[nodiscard]] ImageDifference compareImages(const Image& a, const Image& b);
 
-/// The absolute difference, amplified to be visible. Both pictures have the same shape.
-[[nodiscard]] Image differenceImage(const Image& a, const Image& b);
-
 /// Keyword and text of a PNG text chunk (Latin-1).
 using PngText = std::vector<std::pair<std::string, std::string>>;
 
@@ -50,9 +47,6 @@ using PngText = std::vector<std::pair<std::string, std::string>>;
 /// Writes to a temporary name beside `file` and renames, so an incomplete picture never appears.
 /// Throws Error cannotCreate or writeFailed.
 void savePng(const Image& image, const std::filesystem::path& file, const PngText& text = {});
-
-/// Throws Error inputMissing or badData.
-[[nodiscard]] Image loadPng(const std::filesystem::path& file);
 
 /// A destination of pictures, such as a sequence of files or a video.
 class ImageSink

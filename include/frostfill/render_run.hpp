@@ -28,10 +28,9 @@ struct RenderRequest
     /// Leave pictures as they are that are whole and say of themselves what would be drawn.
     bool skipExisting = false;
     /// Draw only the pictures of this part; other processes draw the others, into the same
-    /// directory. Pictures that are there are left as with skipExisting. Not with a video or a
-    /// contact sheet.
+    /// directory. Pictures that are there are left as with skipExisting. Not with a video.
     Shard shard;
-    /// Draw nothing: look whether all pictures are there. The contact sheet is made if they are.
+    /// Draw nothing: look whether all pictures are there.
     bool gather = false;
     /// Check everything that can be checked, and count the pictures; write nothing.
     bool dryRun = false;

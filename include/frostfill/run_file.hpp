@@ -55,6 +55,8 @@ public:
     /// Appends a frame that shows the state of the frame before. Throws Error writeFailed.
     void repeat(std::size_t frame);
 
+    /// Writes the frames that wait to be packed together. Throws Error writeFailed.
+    void flush();
     /// Appends the summary, without which the run counts as unfinished, and waits until all is on
     /// the disk. Throws Error writeFailed.
     void finish(std::string_view summary);

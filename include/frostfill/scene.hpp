@@ -264,7 +264,6 @@ struct FrameSettings
     Passes passes;
     std::optional<bool> keepRun; ///< in run.frost, every frame; if not given, when frames are drawn
     std::string selection = "all"; ///< "last", "0:100:10", "5,7,90..100", ...
-    bool contactSheet = false;     ///< also contact_sheet.png in the directory
     /// Where the camera is when: keyframes "0:30,20 8:120,45" of seconds of video, azimuth and
     /// elevation [degree] and, if wanted, zoom, or a file of such lines. Not with a turntable
     std::optional<std::string> cameraPath;

@@ -29,7 +29,6 @@ class PictureOptions(TypedDict, total=False):
     frames_limit: int
     frames_hold: float
     frames_passes: str | int | Sequence[float] | Sequence[str]
-    frames_contact_sheet: bool
     size: str | int | Sequence[float] | Sequence[str]
     picture_samples: int
     picture_supersample: int

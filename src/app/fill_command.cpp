@@ -61,9 +61,8 @@ std::optional<Error> writePageOf(const FillTask& task, const FillArguments& argu
 bool hasEnded(const FillRequest& request, const FillArguments& arguments,
               const std::string& outcome)
 {
-    const bool draws = !arguments.video.empty() ||
-                       arguments.given.contains(&optionOf("camera.path")) ||
-                       arguments.given.contains(&optionOf("frames.contact_sheet"));
+    const bool draws =
+        !arguments.video.empty() || arguments.given.contains(&optionOf("camera.path"));
     return request.resume && !draws && !outcome.empty() && outcome != "stopped" &&
            meshOfEarlierRun(request).has_value();
 }

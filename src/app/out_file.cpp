@@ -41,18 +41,16 @@ std::string showOnePicture(const GivenOptions& given, Scene& scene)
                        std::all_of(frame.begin(), frame.end(),
                                    [](unsigned char letter) { return std::isdigit(letter) != 0; });
     if (isGiven("camera.turntable") || isGiven("camera.path") || isGiven("frames.passes") ||
-        isGiven("frames.contact_sheet") ||
         (isGiven("frames.which") && !(scene.frames.enabled && isOne)))
     {
         throw Error(ErrorCode::usage,
                     "--out FILE.png is one picture: give --frames last or the number of a frame, "
-                    "and no --turntable, camera.path, frames.passes or frames.contact_sheet");
+                    "and no --turntable, camera.path or frames.passes");
     }
     const FrameSettings usual;
     scene.camera.turntable.reset();
     scene.frames.cameraPath.reset();
     scene.frames.passes = usual.passes;
-    scene.frames.contactSheet = usual.contactSheet;
     scene.frames.hold = usual.hold;
     if (isGiven("frames.which"))
     {

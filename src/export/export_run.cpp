@@ -6,7 +6,6 @@
 #include "output/scene_json.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
-#include "run_file/kept_frames.hpp"
 #include "scene/frame_selection.hpp"
 
 #include <frostfill/error.hpp>
@@ -149,6 +148,32 @@ void takeGeometry(const ExportRequest& request, const ExportFormatInfo& format, 
     }
 }
 
+/// Of these frames, ascending, one for each moment: the first that shows its last state. Steps
+/// longer than the time between frames make several show one state, and the end of a run may change
+/// states without taking time. Reads all of them.
+std::vector<std::size_t> onePerTime(RunFileReader& reader, const std::vector<std::size_t>& indices)
+{
+    std::vector<std::size_t> chosen;
+    double time = 0;
+    std::uint64_t revision = 0;
+    for (const std::size_t index : indices)
+    {
+        const double now = reader.seek(index).time;
+        const bool sameTime = !chosen.empty() && now == time;
+        if (sameTime && reader.revision() != revision)
+        {
+            chosen.back() = index;
+        }
+        else if (!sameTime)
+        {
+            chosen.push_back(index);
+        }
+        time = now;
+        revision = reader.revision();
+    }
+    return chosen;
+}
+
 } // namespace
 
 Eigen::AlignedBox3d boxInWorld(const ExportedRun& run, const ExportedFrame& frame)
@@ -172,7 +197,7 @@ ExportResult exportRun(const ExportRequest& request, const ExportProgress& progr
         selectedFrames(reader, request.frames.empty() ? format.frames : request.frames);
     // Readers want ascending times.
     const std::vector<std::size_t> chosen =
-        selected.size() > 1 ? KeptFrames(reader).onePerTime(selected) : selected;
+        selected.size() > 1 ? onePerTime(reader, selected) : selected;
     ExportedRun run{reader.mesh(), boundingBox(reader.mesh())};
     readScene(reader, file.string(), run);
     run.lids = request.lids ? 0 : run.lids;

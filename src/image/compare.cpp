@@ -2,7 +2,6 @@
 #include <frostfill/image.hpp>
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdlib>
 
@@ -13,9 +12,6 @@ namespace
 
 /// A pixel counts as different if a channel differs by more than this.
 constexpr int kApart = 8;
-
-/// Differences are multiplied by this, so a difference of 1 in 255 is visible.
-constexpr int kStretch = 8;
 
 bool sameShape(const Image& a, const Image& b)
 {
@@ -49,27 +45,6 @@ ImageDifference compareImages(const Image& a, const Image& b)
         difference.pixelsApart += worst > kApart ? 1 : 0;
     }
     difference.rootMeanSquare = std::sqrt(squares / static_cast<double>(a.pixels.size()));
-    return difference;
-}
-
-Image differenceImage(const Image& a, const Image& b)
-{
-    assert(sameShape(a, b));
-    Image difference{a.width, a.height, 3, {}};
-    const auto channels = static_cast<std::size_t>(a.channels);
-    difference.pixels.reserve(a.pixels.size() / channels * 3);
-    for (std::size_t pixel = 0; pixel < a.pixels.size(); pixel += channels)
-    {
-        // A difference in opacity alone is shown in all three colours; otherwise it would be
-        // invisible.
-        const int alpha =
-            channels == 4 ? std::abs(int{a.pixels[pixel + 3]} - int{b.pixels[pixel + 3]}) : 0;
-        for (std::size_t i = pixel; i < pixel + 3; ++i)
-        {
-            const int apart = std::max(alpha, std::abs(int{a.pixels[i]} - int{b.pixels[i]}));
-            difference.pixels.push_back(static_cast<std::uint8_t>(std::min(255, kStretch * apart)));
-        }
-    }
     return difference;
 }
 

@@ -12,9 +12,9 @@
 namespace frostfill
 {
 
-/// The bytes of a text chunk of a PNG file. [PNG 3rd edition, 11.3.3.2]
-[[nodiscard]] std::vector<std::uint8_t> pngTextChunk(std::string_view keyword,
-                                                     std::string_view text);
+/// Appends a deflate stream without an end, padded to a whole byte. Equal data gives equal bytes,
+/// whatever the thread and wherever the memory lies. Throws Error outOfMemory.
+void deflateBand(const std::vector<std::uint8_t>& data, std::vector<std::uint8_t>& out);
 
 /// Encodes a sequence of pictures of one shape. Each picture is compressed in independent bands of
 /// rows. Several threads can share the bands, and a band that equals that of the picture before is
@@ -22,9 +22,6 @@ namespace frostfill
 class PngBands
 {
 public:
-    /// Without `reuse`, every band is compressed every time.
-    explicit PngBands(bool reuse = true) : reuse_(reuse) {}
-
     /// `changedRows` [height] is not 0 for rows that may differ from the picture before; if it is
     /// empty, every row may differ. The bytes are valid until the next call.
     const std::vector<std::uint8_t>& encode(const Image& image, const PngText& text,
@@ -40,7 +37,6 @@ private:
 
     static void compress(const Image& image, std::size_t index, Band& band);
 
-    bool reuse_;
     int width_ = 0;
     int height_ = 0;
     int channels_ = 0;

@@ -36,7 +36,6 @@ std::string runHash(const Scene& scene, const TriangleMesh& mesh)
     same.frames.limit = FrameSettings{}.limit;
     same.frames.hold = FrameSettings{}.hold;
     same.frames.passes = {};
-    same.frames.contactSheet = false;
     same.frames.cameraPath.reset(); // pictures tell it themselves
     same.threads = 0;
     same.staticLayer = true;

@@ -8,7 +8,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -24,8 +23,6 @@
 #include <tuple>
 #include <utility>
 #include <vector>
-
-extern char** environ;
 
 namespace frostfill
 {
@@ -201,36 +198,11 @@ void Video::start(const Image& image)
     {
         words.push_back("file:" + (isGif(file_) ? raw_ : part_).string());
     }
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& word : words)
-    {
-        arguments.push_back(word.data());
-    }
-    arguments.push_back(nullptr);
-
-    posix_spawn_file_actions_t actions;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-    if (output_ >= 0)
-    {
-        ::posix_spawn_file_actions_adddup2(&actions, output_, STDOUT_FILENO);
-    }
-    else
-    {
-        ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    }
-    ::posix_spawn_file_actions_adddup2(&actions, said_, STDERR_FILENO);
-    const int problem =
-        ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
-    ::posix_spawn_file_actions_destroy(&actions);
+    const StartedProgram started = startProgram(".", std::move(words), {ends[1], output_, said_});
     ::close(ends[1]);
     socket_ = ends[0];
-    if (problem != 0)
-    {
-        process_ = -1;
-        failed_ = true;
-    }
+    process_ = started.id;
+    failed_ = started.error != 0;
 }
 
 void Video::send(const Image& image)

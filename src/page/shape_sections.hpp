@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "page/sections.hpp"
+#include "page/assemble.hpp"
 #include "render/framing/framing.hpp"
 
 #include <frostfill/mesh.hpp>

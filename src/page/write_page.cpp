@@ -5,7 +5,6 @@
 #include "page/shape_sections.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
-#include "run_file/kept_frames.hpp"
 #include "shell/simplified_shell.hpp"
 
 #include <frostfill/error.hpp>

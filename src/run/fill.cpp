@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "run/contact_sheet.hpp"
 #include "run/recording.hpp"
 #include "run/resume.hpp"
 #include "run/run_directory.hpp"
@@ -218,13 +217,19 @@ RunLength estimatedLength(const Scene& scene, const LoadedMesh& mesh, const Simu
                : RunLength{};
 }
 
-/// A run whose pictures depend on its length, if it is short enough to come before them.
-std::optional<TapedRun> tapeIfShort(const FillRequest& request, Simulation& simulation,
-                                    const FillObserver& observer)
+/// Keeps all states of a run. Where the disk is full its file stays, so that it can begin again.
+SimulatedRun simulateBefore(BegunRun& begun, Simulation& simulation, const FillRequest& request,
+                            const FillObserver& observer)
 {
-    return lengthMatters(request.scene) && isItsOwnTrial(request.scene, simulation)
-               ? std::optional(simulateToTape(simulation, request, observer))
-               : std::nullopt;
+    try
+    {
+        return simulateInto(begun.file(), simulation, request, observer);
+    }
+    catch (const Error&)
+    {
+        begun.stay();
+        throw;
+    }
 }
 
 /// Enters what the simulation has come to.
@@ -249,7 +254,7 @@ void judge(const Scene& scene, const Simulation& simulation, FillResult& result)
     result.stray = simulation.stray();
 }
 
-/// Enters what was drawn, and draws the contact sheet.
+/// Enters what was drawn.
 void enterPictures(const FillRequest& request, const FramePainter& painter, std::size_t last,
                    FillResult& result)
 {
@@ -262,10 +267,6 @@ void enterPictures(const FillRequest& request, const FramePainter& painter, std:
     }
     result.skippedFrames = painter.drawn().skipped;
     result.videoFailure = painter.drawn().videoFailure;
-    if (request.scene.frames.contactSheet)
-    {
-        writeContactSheet(request.scene, request.directory, painter);
-    }
     result.setFrames = painter.drawn().sets;
     result.renderer = painter.drawn().renderer;
 }
@@ -284,6 +285,23 @@ std::unique_ptr<FrameRecorder> stoppableRecorder(const FillRequest& request, con
     return recorder;
 }
 
+/// Shows the last state, of a run that has come to its end.
+void drawTheRest(FrameRecorder& recorder, RunStates& states, const Simulation& simulation,
+                 const FillObserver& observer, std::size_t pictures)
+{
+    recorder.finish(states,
+                    [&]
+                    {
+                        if (observer.progressed)
+                        {
+                            observer.progressed({simulation.sphereCount(),
+                                                 simulation.restingCount(),
+                                                 simulation.expectedSpheres(), recorder.count(),
+                                                 simulation.time(), pictures});
+                        }
+                    });
+}
+
 /// The run file first: the summary says that all before it is there.
 void finishFiles(const RunRecord& run, FrameRecorder* recorder)
 {
@@ -297,11 +315,9 @@ void finishFiles(const RunRecord& run, FrameRecorder* recorder)
 /// Throws Error usage for wishes that cannot be met together.
 void requireWishesFit(const FillRequest& request)
 {
-    if (!request.scene.frames.enabled &&
-        (!request.video.empty() || request.scene.frames.contactSheet))
+    if (!request.scene.frames.enabled && !request.video.empty())
     {
-        throw Error(ErrorCode::usage, "a video and a contact sheet need frames: omit --frames "
-                                      "none, or --video and frames.contact_sheet");
+        throw Error(ErrorCode::usage, "a video needs frames: omit --frames none, or --video");
     }
     requireBackgroundOf(request.video, request.scene);
 }
@@ -345,25 +361,32 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     const EarlierRun earlier = earlierFiles(request, resumes);
     RunDirectory directory(request.directory, earlier);
     const std::optional<CameraPath> path = CameraPath::of(request.scene);
-    std::optional<BegunRun> begun(request.directory);
-    if (isKept(request.scene) && earlier != EarlierRun::keep)
+    const bool isNew = earlier != EarlierRun::keep;
+    // Pictures that depend on the length of a run come after it, if it is short enough.
+    const bool isBefore = lengthMatters(request.scene) && isItsOwnTrial(request.scene, simulation);
+    std::optional<BegunRun> begun;
+    if (isBefore || (isNew && isKept(request.scene)))
     {
-        begun->keep(request, mesh, simulation);
+        begun.emplace(request, mesh, simulation, isNew);
     }
     const auto recorder = stoppableRecorder(request, mesh, simulation, path, observer);
     FillResult result;
     result.reach = reachWithoutLeak(request.scene, simulation);
     clock.end("preparing");
-    std::optional<TapedRun> taped = tapeIfShort(request, simulation, observer);
-    const bool isOnTape = taped && !taped->tape.isFull();
-    if (isOnTape)
+    SimulatedRun run;
+    std::optional<KeptStates> states;
+    if (isBefore)
     {
+        run = simulateBefore(*begun, simulation, request, observer);
+        states.emplace(begun->path());
         clock.end("simulating");
     }
-    const RunLength length =
-        taped ? taped->length : estimatedLength(request.scene, mesh, simulation, observer);
+    else
+    {
+        run.length = estimatedLength(request.scene, mesh, simulation, observer);
+    }
     const FramePlan frames =
-        planPictures(request.scene, mesh, length, recorder.get(), path ? path->duration() : 0);
+        planPictures(request.scene, mesh, run.length, recorder.get(), path ? path->duration() : 0);
     directory.begin(); // all that can fail before the first step has not
     if (isKept(request.scene))
     {
@@ -377,32 +400,24 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     clock.end("estimating");
 
     result.directory = request.directory;
-    RunEnd end = RunEnd::itself;
-    if (isOnTape)
+    if (states)
     {
-        end = replay(*std::move(taped), *recorder, simulation, observer, frames.kept);
+        run.end = replay(run.end, *states, *recorder, simulation, observer, frames.kept);
     }
     else
     {
-        end = simulate(simulation, recorder.get(), request, observer);
+        run.end = simulate(simulation, recorder.get(), request, observer);
         clock.end("simulating");
     }
-    result.stopped = end == RunEnd::stopped;
-    result.overfull = end == RunEnd::overfull;
+    result.stopped = run.end == RunEnd::stopped;
+    result.overfull = run.end == RunEnd::overfull;
     StageTimes times = simulation.times();
     const FramePainter* painter = recorder ? recorder->painter() : nullptr;
     if (recorder)
     {
-        const auto taken = [&]
-        {
-            if (observer.progressed)
-            {
-                observer.progressed({simulation.sphereCount(), simulation.restingCount(),
-                                     simulation.expectedSpheres(), recorder->count(),
-                                     simulation.time(), frames.kept});
-            }
-        };
-        recorder->finish(LiveStates(simulation), taken);
+        LiveStates live(simulation);
+        drawTheRest(*recorder, states ? static_cast<RunStates&>(*states) : live, simulation,
+                    observer, frames.kept);
     }
     if (painter != nullptr)
     {
@@ -415,10 +430,10 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     clock.end("judging");
     clock.enter(result);
 
-    const RunRecord run{
+    const RunRecord record{
         request, mesh, simulation, frames, result, times, recorder ? recorder->stride() : 1};
-    result.summary = summaryText(run);
-    finishFiles(run, recorder.get());
+    result.summary = summaryText(record);
+    finishFiles(record, recorder.get());
     return result;
 }
 

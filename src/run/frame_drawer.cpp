@@ -106,7 +106,6 @@ FrameDrawer::FrameDrawer(const PaintRequest& request)
     }
     renderer_.emplace(request_.mesh, settings_);
     drawn_.renderer = renderer_->description();
-    drawn_.objectRegion = renderer_->objectRegion();
 }
 
 /// How far the camera has gone: on its path [s], or round the object [degree].
@@ -129,13 +128,8 @@ void FrameDrawer::thin()
         writer_.remove(drawn_.numbers[i]);
         sideOutputs_.remove(drawn_.numbers[i]);
     }
-    const auto keepEverySecond = [](auto& values)
-    {
-        std::size_t index = 0;
-        std::erase_if(values, [&](const auto&) { return index++ % 2 != 0; });
-    };
-    keepEverySecond(drawn_.numbers);
-    keepEverySecond(drawn_.moments);
+    std::size_t index = 0;
+    std::erase_if(drawn_.numbers, [&](std::size_t) { return index++ % 2 != 0; });
 }
 
 /// Whether a picture is not drawn, and for which reason.
@@ -189,7 +183,6 @@ void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& stat
     if (picture.index)
     {
         drawn_.numbers.push_back(picture.frame);
-        drawn_.moments.push_back(state.time);
     }
     const PngText text = textOfFrame(picture, state);
     if (leavesOut(picture, text))

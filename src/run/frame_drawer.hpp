@@ -63,9 +63,7 @@ struct PaintRequest
 struct DrawnPictures
 {
     std::string renderer;             ///< see Renderer::description
-    std::array<int, 4> objectRegion;  ///< see Renderer::objectRegion
     std::vector<std::size_t> numbers; ///< of the frames of those kept
-    std::vector<double> moments;      ///< their simulated times [s]
     std::size_t skipped = 0;          ///< that were there already
     std::size_t others = 0;           ///< that were left to others
     std::vector<std::size_t> missing; ///< frames of those not there, or not what would be drawn

@@ -7,6 +7,29 @@
 namespace frostfill
 {
 
+SphereRecord KeptStates::sphere(std::size_t id) const
+{
+    SphereRecord sphere;
+    sphere.centre = reader_.centres()[id];
+    sphere.radius = reader_.radii()[id];
+    sphere.group = now_->groups[id];
+    sphere.state = now_->states[id];
+    return sphere;
+}
+
+void KeptStates::capture(Snapshot& snapshot)
+{
+    const std::size_t known = snapshot.states.size(); // what falls has been taken out behind
+    snapshot = *now_;
+    reader_.forgetChanges();
+    auto& changed = snapshot.changed;
+    changed.erase(std::lower_bound(changed.begin(), changed.end(), known), changed.end());
+    for (std::size_t id = known; id < sphereCount(); ++id)
+    {
+        changed.push_back(static_cast<std::uint32_t>(id));
+    }
+}
+
 FrameRecorder::FrameRecorder(std::unique_ptr<FramePainter> painter, double smallestRadius,
                              bool lastOnly)
     : smallestRadius_(smallestRadius), lastOnly_(lastOnly), painter_(std::move(painter))
@@ -49,7 +72,7 @@ double FrameRecorder::timeAt(std::size_t frame) const
     return static_cast<double>(frame) * interval_ - (falls_ ? falls_->lag() : 0);
 }
 
-void FrameRecorder::record(const RunStates& run)
+void FrameRecorder::record(RunStates& run)
 {
     // A step may be longer than the time between frames: then several frames show it.
     while (run.time() >= timeAt(next_) && !(stopRequested_ && stopRequested_()))
@@ -58,7 +81,7 @@ void FrameRecorder::record(const RunStates& run)
     }
 }
 
-void FrameRecorder::takeNext(const RunStates& run)
+void FrameRecorder::takeNext(RunStates& run)
 {
     const bool draws = painter_ && painter_->wants(next_);
     if (draws || (file_ && !lastOnly_))
@@ -82,7 +105,7 @@ FramePainter::State FrameRecorder::state()
     return {&snapshots_[newest_], revision_};
 }
 
-void FrameRecorder::observe(const RunStates& run, double time)
+void FrameRecorder::observe(RunStates& run, double time)
 {
     if (seen_ == run.revision() && (!falls_ || over_))
     {
@@ -103,7 +126,7 @@ void FrameRecorder::observe(const RunStates& run, double time)
     seen_ = run.revision();
 }
 
-void FrameRecorder::capture(const RunStates& run, double time)
+void FrameRecorder::capture(RunStates& run, double time)
 {
     // With one picture at most waiting and one being drawn, the third snapshot is free.
     newest_ = (newest_ + (isGiven_ ? 1 : 0)) % snapshots_.size();
@@ -118,10 +141,11 @@ void FrameRecorder::capture(const RunStates& run, double time)
     {
         real_[newest_] = falls_->addTo(snapshot, time);
     }
+    snapshot.changedSince = revision_;
     snapshot.revision = ++revision_;
 }
 
-void FrameRecorder::finish(const RunStates& run, const std::function<void()>& taken)
+void FrameRecorder::finish(RunStates& run, const std::function<void()>& taken)
 {
     if (falls_)
     {

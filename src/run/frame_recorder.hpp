@@ -4,18 +4,32 @@
 #include "run/falling_spheres.hpp"
 #include "run/frame_painter.hpp"
 #include "run/frame_timing.hpp"
-#include "run_file/run_states.hpp"
 
 #include <frostfill/run_file.hpp>
 #include <frostfill/simulation.hpp>
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace frostfill
 {
+
+/// A run as its recorder sees it, at one of its states.
+class RunStates
+{
+public:
+    virtual ~RunStates() = default;
+    [[nodiscard]] virtual double time() const = 0;            ///< [s] simulated
+    [[nodiscard]] virtual std::uint64_t revision() const = 0; ///< grows with each change
+    [[nodiscard]] virtual std::size_t sphereCount() const = 0;
+    /// Exact where the sphere is at rest.
+    [[nodiscard]] virtual SphereRecord sphere(std::size_t id) const = 0;
+    /// See Simulation::capture. Names at least what has changed since the last capture.
+    virtual void capture(Snapshot& snapshot) = 0;
+};
 
 /// As it is simulated.
 class LiveStates final : public RunStates
@@ -29,10 +43,29 @@ public:
     {
         return simulation_.sphere(id);
     }
-    void capture(Snapshot& snapshot) const override { simulation_.capture(snapshot); }
+    void capture(Snapshot& snapshot) override { simulation_.capture(snapshot); }
 
 private:
     const Simulation& simulation_;
+};
+
+/// As it was simulated before its pictures, and kept step by step in a run file.
+class KeptStates final : public RunStates
+{
+public:
+    explicit KeptStates(const std::filesystem::path& file) : reader_(file) { seek(0); }
+    [[nodiscard]] std::size_t count() const { return reader_.frames().size(); }
+    /// Goes on to a state.
+    void seek(std::size_t index) { now_ = &reader_.seek(index); }
+    [[nodiscard]] double time() const override { return now_->time; }
+    [[nodiscard]] std::uint64_t revision() const override { return reader_.revision(); }
+    [[nodiscard]] std::size_t sphereCount() const override { return now_->states.size(); }
+    [[nodiscard]] SphereRecord sphere(std::size_t id) const override;
+    void capture(Snapshot& snapshot) override;
+
+private:
+    RunFileReader reader_;
+    const Snapshot* now_ = nullptr;
 };
 
 /// Looks at a run at the times of frames. What it sees goes to the painter and into the run
@@ -57,9 +90,9 @@ public:
     /// step and those for which the last state is held are left out.
     void stopWhen(std::function<bool()> requested);
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
-    void record(const RunStates& run);
+    void record(RunStates& run);
     /// Takes the last state; see FramePainter::finish.
-    void finish(const RunStates& run, const std::function<void()>& taken = {});
+    void finish(RunStates& run, const std::function<void()>& taken = {});
 
     /// Null without pictures.
     [[nodiscard]] const FramePainter* painter() const { return painter_.get(); }
@@ -73,9 +106,9 @@ public:
 
 private:
     [[nodiscard]] double timeAt(std::size_t frame) const;
-    void takeNext(const RunStates& run);
-    void observe(const RunStates& run, double time);
-    void capture(const RunStates& run, double time);
+    void takeNext(RunStates& run);
+    void observe(RunStates& run, double time);
+    void capture(RunStates& run, double time);
     [[nodiscard]] FramePainter::State state();
 
     std::unique_ptr<RunFileWriter> file_;

@@ -139,17 +139,18 @@ void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMe
         request.resume ? EarlierFile::continued : EarlierFile::replace));
 }
 
+// The states of other runs wait beside: a kill leaves what nothing goes on with.
+BegunRun::BegunRun(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
+                   bool isNew)
+    : path_(request.directory / (isNew && isKept(request.scene) ? kBegunFile : kStatesFile)),
+      file_(path_, headOf(request, mesh, simulation, {}), mesh.mesh, simulation.smallestRadius())
+{
+}
+
 BegunRun::~BegunRun()
 {
     std::error_code none;
-    std::filesystem::remove(directory_ / kBegunFile, none);
-}
-
-void BegunRun::keep(const FillRequest& request, const LoadedMesh& mesh,
-                    const Simulation& simulation) const
-{
-    const RunFileWriter file(directory_ / kBegunFile, headOf(request, mesh, simulation, {}),
-                             mesh.mesh, simulation.smallestRadius());
+    std::filesystem::remove(path_, none);
 }
 
 namespace
@@ -211,46 +212,60 @@ RunEnd stepThrough(Simulation& simulation, const FrameRecorder* recorder,
 RunEnd simulate(Simulation& simulation, FrameRecorder* recorder, const FillRequest& request,
                 const FillObserver& observer)
 {
+    LiveStates states(simulation);
     return stepThrough(simulation, recorder, request, observer,
                        [&]
                        {
                            if (recorder != nullptr)
                            {
-                               recorder->record(LiveStates(simulation));
+                               recorder->record(states);
                            }
                        });
 }
 
-TapedRun simulateToTape(Simulation& simulation, const FillRequest& request,
-                        const FillObserver& observer, std::size_t mostBytes)
+SimulatedRun simulateInto(RunFileWriter& file, Simulation& simulation, const FillRequest& request,
+                          const FillObserver& observer)
 {
-    TapedRun run{RunEnd::itself,
-                 {},
-                 StateTape(columnsToCarry(request.scene), simulation.smallestRadius(), mostBytes)};
     LengthWatch watch(request.scene);
+    Snapshot state;
+    state.columns = columnsToCarry(request.scene);
+    std::optional<std::uint64_t> revision;
+    std::size_t states = 0;
+    const auto keep = [&]
+    {
+        if (std::exchange(revision, simulation.revision()) == simulation.revision())
+        {
+            file.repeat(states++);
+            return;
+        }
+        const auto exact = [&](std::uint32_t id) { return simulation.sphere(id); };
+        simulation.capture(state);
+        roundPlaces(state, simulation.smallestRadius(), exact);
+        file.put(states++, state, exact);
+    };
+    SimulatedRun run;
     run.end = stepThrough(simulation, nullptr, request, observer,
                           [&]
                           {
                               watch.look(simulation);
-                              run.tape.add(LiveStates(simulation));
+                              keep();
                           });
+    keep();
+    file.flush();
     run.length = watch.take();
-    if (run.tape.isFull() && run.end != RunEnd::stopped)
-    {
-        simulation = Simulation(request.scene, simulation);
-        simulation.stopWhen(observer.stopRequested);
-    }
     return run;
 }
 
-RunEnd replay(TapedRun run, FrameRecorder& recorder, const Simulation& simulation,
+RunEnd replay(RunEnd end, KeptStates& states, FrameRecorder& recorder, const Simulation& simulation,
               const FillObserver& observer, std::size_t pictures)
 {
     FillProgress progress{simulation.sphereCount(), simulation.restingCount(),
                           simulation.expectedSpheres()};
     progress.pictures = pictures;
-    for (TapeReader states(std::move(run.tape)); run.end != RunEnd::stopped && states.next();)
+    const std::size_t last = states.count() - 1;
+    for (std::size_t state = 0; end != RunEnd::stopped && state < last; ++state)
     {
+        states.seek(state);
         recorder.record(states);
         progress.frames = recorder.count();
         progress.time = states.time();
@@ -260,10 +275,11 @@ RunEnd replay(TapedRun run, FrameRecorder& recorder, const Simulation& simulatio
         }
         if (observer.stopRequested && observer.stopRequested())
         {
-            return RunEnd::stopped;
+            end = RunEnd::stopped;
         }
     }
-    return run.end;
+    states.seek(last);
+    return end;
 }
 
 } // namespace frostfill

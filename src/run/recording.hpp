@@ -3,7 +3,6 @@
 
 #include "run/camera_path.hpp"
 #include "run/frame_recorder.hpp"
-#include "run_file/state_tape.hpp"
 
 #include <frostfill/fill.hpp>
 
@@ -40,22 +39,27 @@ namespace frostfill
 void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
              const Simulation& simulation, const FramePlan& frames);
 
-/// Keeps a run, from before its first step until its run file is there, in a file that goes with
-/// this object: a run that is killed meanwhile can begin again. Other files stay as they are.
+/// The file of a run before its pictures begin, which goes with this object: head, mesh and, of a
+/// run that is simulated before, its states. A run that is killed meanwhile can begin again, if it
+/// is a new one that is kept. Other files stay as they are.
 class BegunRun
 {
 public:
-    explicit BegunRun(std::filesystem::path directory) : directory_(std::move(directory)) {}
+    /// Throws Error cannotCreate or writeFailed.
+    BegunRun(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
+             bool isNew);
     ~BegunRun();
     BegunRun(const BegunRun&) = delete;
     BegunRun& operator=(const BegunRun&) = delete;
 
-    /// Throws Error cannotCreate or writeFailed.
-    void keep(const FillRequest& request, const LoadedMesh& mesh,
-              const Simulation& simulation) const;
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+    [[nodiscard]] RunFileWriter& file() { return file_; }
+    /// Leaves the file behind.
+    void stay() { path_.clear(); }
 
 private:
-    std::filesystem::path directory_;
+    std::filesystem::path path_;
+    RunFileWriter file_;
 };
 
 enum class RunEnd
@@ -71,23 +75,22 @@ enum class RunEnd
                               const FillRequest& request, const FillObserver& observer);
 
 /// A run that was simulated before its pictures, because they depend on its length.
-struct TapedRun
+struct SimulatedRun
 {
     RunEnd end = RunEnd::itself;
     RunLength length;
-    StateTape tape; ///< may be full
 };
 
-/// Steps to the end, or until the caller wants to stop, and keeps the states. When they take too
-/// much memory, the length is told all the same, and `simulation` is at its start again unless the
-/// caller wants to stop.
-[[nodiscard]] TapedRun simulateToTape(Simulation& simulation, const FillRequest& request,
-                                      const FillObserver& observer,
-                                      std::size_t mostBytes = StateTape::kMostBytes);
+/// Steps to the end, or until the caller wants to stop, and keeps each state in a file: as frame
+/// by frame, and the one at the end once more, with what the end has discarded. Throws Error
+/// writeFailed.
+[[nodiscard]] SimulatedRun simulateInto(RunFileWriter& file, Simulation& simulation,
+                                        const FillRequest& request, const FillObserver& observer);
 
-/// Shows the states of a tape to the recorder, as simulate() would have. `simulation` is at its
-/// end, and `pictures` are expected.
-[[nodiscard]] RunEnd replay(TapedRun run, FrameRecorder& recorder, const Simulation& simulation,
-                            const FillObserver& observer, std::size_t pictures);
+/// Shows the states of a run that was simulated to the recorder, as simulate() would have, and
+/// leaves the last for its end. `simulation` is at its end, and `pictures` are expected.
+[[nodiscard]] RunEnd replay(RunEnd end, KeptStates& states, FrameRecorder& recorder,
+                            const Simulation& simulation, const FillObserver& observer,
+                            std::size_t pictures);
 
 } // namespace frostfill

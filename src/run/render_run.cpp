@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "output/run_hash.hpp"
-#include "run/contact_sheet.hpp"
 #include "run/frame_painter.hpp"
 #include "run/frame_timing.hpp"
 #include "run/resume.hpp"
@@ -8,7 +7,6 @@
 #include "run/run_head.hpp"
 #include "run/side_outputs.hpp"
 #include "run_file/file_of_run.hpp"
-#include "run_file/kept_frames.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/output.hpp>
@@ -27,6 +25,32 @@ namespace frostfill
 {
 namespace
 {
+
+/// The frames of a run file as the recorder saw them: those of the animation, and behind them, once
+/// the run has ended, the last state under the next number. That is nearly always the state of the
+/// last frame once more.
+class KeptFrames
+{
+public:
+    explicit KeptFrames(RunFileReader& reader)
+        : reader_(reader), numbers_(reader.frames()), ended_(reader.summary().has_value())
+    {
+    }
+
+    /// Frames of the animation.
+    [[nodiscard]] std::size_t count() const { return numbers_.size() - (ended_ ? 1 : 0); }
+    [[nodiscard]] std::size_t number(std::size_t index) const { return numbers_[index]; }
+    /// Of the last state; in a run that has not ended, the last of them shows it.
+    [[nodiscard]] std::size_t lastNumber() const { return numbers_.back(); }
+    /// See RunFileReader::seek; index count() is that of the last state of a run that has ended.
+    [[nodiscard]] const Snapshot& state(std::size_t index) { return reader_.seek(index); }
+    [[nodiscard]] const Snapshot& last() { return state(numbers_.size() - 1); }
+
+private:
+    RunFileReader& reader_;
+    const std::vector<std::size_t>& numbers_;
+    bool ended_;
+};
 
 /// The scene that is drawn. Says whether the request moves the camera, rather than the run.
 Scene sceneOf(const RenderRequest& request, const RunHead& head, bool& moves)
@@ -123,16 +147,12 @@ std::size_t picturesBeside(const std::vector<std::size_t>& frames,
 }
 
 /// Throws Error usage for wishes that only one process can meet.
-void requireOneProcess(const RenderRequest& request, const Scene& scene)
+void requireOneProcess(const RenderRequest& request)
 {
-    if (request.shard.count > 1 &&
-        (!request.video.empty() || scene.frames.contactSheet || request.overwrite))
+    if (request.shard.count > 1 && (!request.video.empty() || request.overwrite))
     {
-        throw Error(ErrorCode::usage,
-                    "one part of the pictures makes no video and no contact sheet, and cannot "
-                    "replace pictures of other parts: omit --video, "
-                    "frames.contact_sheet and --overwrite; --gather makes the contact sheet of "
-                    "all");
+        throw Error(ErrorCode::usage, "one part of the pictures makes no video, and cannot replace "
+                                      "pictures of other parts: omit --video and --overwrite");
     }
     if (request.gather && (!request.video.empty() || request.overwrite || request.shard.count > 1))
     {
@@ -240,7 +260,7 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     requireFrames(reader, file);
     bool moves = false;
     const Scene scene = sceneOf(request, head, moves);
-    requireOneProcess(request, scene);
+    requireOneProcess(request);
     const std::filesystem::path directory = directoryOf(request, file);
     const std::optional<CameraPath> path = CameraPath::of(scene);
     KeptFrames frames(reader);
@@ -300,10 +320,6 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     {
         result.videoFailure = drawn.videoFailure;
         result.blank = drawn.blank;
-        if (scene.frames.contactSheet && result.missing.empty())
-        {
-            writeContactSheet(scene, directory, painter);
-        }
     }
     result.wallSeconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

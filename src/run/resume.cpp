@@ -24,9 +24,8 @@ namespace
 {
 
 /// With these a run may be resumed differently: they change no bit.
-constexpr std::string_view kWithoutEffect[] = {
-    "threads",         "picture.static_layer", "picture.backend",
-    "frames.keep_run", "frames.contact_sheet", "camera.path"};
+constexpr std::string_view kWithoutEffect[] = {"threads", "picture.static_layer", "picture.backend",
+                                               "frames.keep_run", "camera.path"};
 
 bool hasEffect(const Option& option, const Scene& scene)
 {

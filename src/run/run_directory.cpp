@@ -34,7 +34,6 @@ constexpr KnownFile kFiles[] = {{"spheres.csv", "id,group,x,y,z,radius"},
                                 {"sets.csv", "set,spheres"},
                                 {"summary.json", "\"outcome\""},
                                 {"mesh.ply", "Frostfill"},
-                                {"contact_sheet.png", "Frostfill"},
                                 {"view.html", "Frostfill"},
                                 {kRunFile, "frostrun"},
                                 {kBegunFile, "frostrun"}};
@@ -182,14 +181,9 @@ void RunDirectory::surveyFiles()
             left_.push_back(part);
         }
     }
-    for (const auto& entry : std::filesystem::directory_iterator(path_))
+    if (std::filesystem::is_regular_file(std::filesystem::symlink_status(path_ / kStatesFile)))
     {
-        const std::string name = entry.path().filename().string();
-        if (name.starts_with("contact_sheet.png.") && name.ends_with(".tmp") &&
-            entry.symlink_status().type() == std::filesystem::file_type::regular)
-        {
-            left_.push_back(entry.path());
-        }
+        left_.push_back(path_ / kStatesFile);
     }
 }
 

@@ -8,7 +8,13 @@ namespace frostfill
 
 /// The run file's name in the directory of a run; see fileOfRun.
 inline constexpr const char* kRunFile = "run.frost";
-/// The same of a run that is simulated before its first frame is kept: its head and its mesh alone.
+/// The same of a run that is simulated before its first frame is kept.
 inline constexpr const char* kBegunFile = "begun.frost";
+/// The states of a run that is simulated before its pictures, where nothing can begin again by
+/// them.
+inline constexpr const char* kStatesFile = "states.frost";
+
+/// Throws Error badData for the file of a run that was killed before its first frame.
+void requireFrames(const RunFileReader& reader, const std::filesystem::path& file);
 
 } // namespace frostfill

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/files/readers.hpp"
+#include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
 #include "run_file/mapped_file.hpp"
 #include "run_file/records.hpp"
@@ -34,6 +35,32 @@ namespace
 }
 
 } // namespace
+
+std::filesystem::path fileOfRun(const std::filesystem::path& run)
+{
+    std::error_code error;
+    const std::filesystem::path file =
+        std::filesystem::is_directory(run, error) ? run / kRunFile : run;
+    if (!std::filesystem::is_regular_file(file, error))
+    {
+        throw Error(ErrorCode::inputMissing,
+                    fmt::format("'{}' is not there: give the directory of a run that was kept, or "
+                                "its {}",
+                                file.string(), kRunFile));
+    }
+    return file;
+}
+
+void requireFrames(const RunFileReader& reader, const std::filesystem::path& file)
+{
+    if (reader.frames().empty())
+    {
+        throw Error(ErrorCode::badData,
+                    fmt::format("'{}' has no frame yet: its run was killed as it began; resume it "
+                                "with frostfill fill --resume",
+                                file.string()));
+    }
+}
 
 struct RunFileReader::Implementation
 {

@@ -154,7 +154,10 @@ RunFileWriter::~RunFileWriter() = default;
 
 void RunFileWriter::put(std::size_t frame, const Snapshot& snapshot, const ExactSphere& exact)
 {
-    implementation_->encoder.encode(snapshot, asPictured(snapshot, exact));
+    FrameEncoder& encoder = implementation_->encoder;
+    // To compare a million polygons takes longer than a step.
+    encoder.encode(snapshot, asPictured(snapshot, exact),
+                   snapshot.polygonsChanged ? snapshot.polygons : encoder.snapshot().polygons);
     implementation_->add(frame);
 }
 
@@ -162,6 +165,11 @@ void RunFileWriter::repeat(std::size_t frame)
 {
     implementation_->encoder.repeat();
     implementation_->add(frame);
+}
+
+void RunFileWriter::flush()
+{
+    implementation_->writeFrames();
 }
 
 void RunFileWriter::finish(std::string_view summary)

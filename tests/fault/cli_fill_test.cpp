@@ -217,14 +217,14 @@ TEST_F(FillCommand, StopsWith75WhenAskedToAndWritesEverything)
     EXPECT_TRUE(std::filesystem::exists(folder_ / "a/spheres.csv"));
 }
 
-TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
+TEST_F(FillCommand, MakesPassesAndTurntableOfTheSameFrames)
 {
-    const Answer answer = run(
-        kEightInTwos + "--size 64x48 --set frames.limit=3 --set frames.hold=0.2 --turntable 1 "
-                       "--set frames.passes=all --set frames.contact_sheet=true --background none "
-                       "--style dark --color-by speed --cutaway wedge:0,90 "
-                       "--set picture.ambient_occlusion=true --set picture.supersample=2 --set "
-                       "picture.backend=osmesa");
+    const Answer answer =
+        run(kEightInTwos + "--size 64x48 --set frames.limit=3 --set frames.hold=0.2 --turntable 1 "
+                           "--set frames.passes=all --background none "
+                           "--style dark --color-by speed --cutaway wedge:0,90 "
+                           "--set picture.ambient_occlusion=true --set picture.supersample=2 --set "
+                           "picture.backend=osmesa");
     ASSERT_EQ(answer.code, 0) << answer.errors;
     const auto frames = [&](const char* folder)
     {
@@ -241,10 +241,8 @@ TEST_F(FillCommand, MakesPassesSheetAndTurntableOfTheSameFrames)
     {
         EXPECT_EQ(frames(folder), frames("frames")) << folder;
     }
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
     EXPECT_EQ(run(kEightInTwos + "--size 64x48 --set frames.limit=2 --overwrite").code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/depth"));
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "output/cube/contact_sheet.png"));
 }
 
 TEST_F(FillCommand, LosesNoFrameWhenTheVideoFails)

@@ -110,7 +110,7 @@ TEST_F(FrameNumbers, OfAVideoOnStandardOutputAreThoseOfThePicturesAndNothingElse
 TEST_F(FrameNumbers, OfHeldThinnedAndTurnedFramesAreTakenToo)
 {
     ASSERT_EQ(run(kSmall + "--set frames.hold=0.3 --set frames.limit=7 --set frames.passes=depth "
-                           "--set frames.contact_sheet=true --out run")
+                           "--out run")
                   .code,
               0);
     const std::set<std::string> pictures = names("run");

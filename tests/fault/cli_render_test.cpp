@@ -79,11 +79,10 @@ TEST_F(RenderCommand, TakesEveryOptionOfPicturesAndNoneOfTheRun)
     const Answer answer = run("render run --frames 2..4,last --size 80x60 --style dark --color-by "
                               "speed --set frames.passes=all "
                               "--set picture.supersample=2 --cutaway plane:1,0,0 --set "
-                              "frames.hold=0.1 --set frames.contact_sheet=true --out other");
+                              "frames.hold=0.1 --out other");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     EXPECT_FALSE(picture("other", 4).empty());
     EXPECT_EQ(test::filesIn(folder_ / "other/frames").size(), 6U);
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "other/contact_sheet.png"));
     EXPECT_TRUE(std::filesystem::exists(folder_ / "other/depth/frame_00002.png"));
 }
 

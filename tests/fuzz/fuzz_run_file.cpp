@@ -2,7 +2,7 @@
 // Any bytes as the frames of a run file, behind sums that are right, so that they reach the
 // decoder. A state that is decoded agrees with itself, and is the same when it is sought from the
 // beginning.
-#include "run_file/kept_frames.hpp"
+#include "run_file/file_of_run.hpp"
 #include "run_file/records.hpp"
 
 #include <frostfill/error.hpp>

@@ -4,6 +4,7 @@
 #include "support/pictures.hpp"
 
 #include "support/drawn_with.hpp"
+#include "support/load_png.hpp"
 #include "support/paths.hpp"
 
 #include <frostfill/image.hpp>
@@ -54,11 +55,6 @@ void expectLikeGolden(const Image& actual, const std::string& name)
     ADD_FAILURE() << "differs from " << golden << "\n  drawn: " << output / (name + "_actual.png")
                   << "\n  root mean square " << difference.rootMeanSquare << " of 255, largest "
                   << difference.largest << ", pixels apart " << difference.pixelsApart;
-    if (difference.sameShape)
-    {
-        savePng(differenceImage(actual, expected), output / (name + "_difference.png"));
-        ADD_FAILURE() << "difference: " << output / (name + "_difference.png");
-    }
 }
 
 /// Spheres of all states in layers on a ring, and polygons discarded at its foot.

@@ -165,9 +165,7 @@ class Runs(FolderCase):
                 run.export(self.folder / "none", "npy", **wrong)
 
     def test_are_drawn_into_a_folder(self):
-        drawn = self.run_.draw(self.folder / "pictures", frames="0..9", size=(80, 60),
-                               frames_contact_sheet=True)
-        self.assertTrue((self.folder / "pictures/contact_sheet.png").exists())
+        drawn = self.run_.draw(self.folder / "pictures", frames="0..9", size=(80, 60))
         self.assertEqual(drawn, 10)
         self.assertEqual(len(list((self.folder / "pictures/frames").glob("*.png"))), 10)
 

@@ -22,7 +22,7 @@ constexpr FormerFlag kFormerFlags[] = {
     {"--ambient-occlusion", "picture.ambient_occlusion"},
     {"--backend", "picture.backend"},
     {"--camera-path", "camera.path"},
-    {"--contact-sheet", "frames.contact_sheet"},
+    {"--contact-sheet", "gone: ffmpeg -i DIR/frames/frame_%05d.png -vf tile=4x3 sheet.png"},
     {"--curve-within", "spheres.curve_within"},
     {"--discard", "discard.rule"},
     {"--discard-closeness", "discard.closeness"},

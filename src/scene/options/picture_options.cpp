@@ -64,9 +64,6 @@ void addFrames(TableBuilder& table)
         .range(0, 3600);
     table.add("frames.passes", "", "Also draw depth, normals or sphere identities of each frame",
               FROSTFILL_FIELD(frames.passes));
-    table.add("frames.contact_sheet", "",
-              "Also draw twelve frames in one picture, contact_sheet.png",
-              FROSTFILL_FIELD(frames.contactSheet));
     table
         .add("frames.keep_run", "",
              "Keep the run in run.frost, for render, view, export and --resume; auto: when frames "

@@ -59,22 +59,5 @@ TEST(CompareImages, OtherShapeIsReportedAndNothingElse)
     }
 }
 
-TEST(DifferenceImage, ShowsWhereAndHowMuch)
-{
-    const Image a = plain(2, 1, 3, 50);
-    Image b = a;
-    b.pixels[4] = 47;
-    const Image difference = differenceImage(a, b);
-    EXPECT_EQ(difference.pixels, (std::vector<std::uint8_t>{0, 0, 0, 0, 24, 0}));
-}
-
-TEST(DifferenceImage, OpacityShowsToo)
-{
-    Image a = plain(1, 1, 4, 50);
-    const Image b = a;
-    a.pixels[3] = 60;
-    EXPECT_EQ(differenceImage(a, b).pixels, (std::vector<std::uint8_t>{80, 80, 80}));
-}
-
 } // namespace
 } // namespace frostfill

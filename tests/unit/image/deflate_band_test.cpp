@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "image/deflate_band.hpp"
+#include "image/png_bands.hpp"
 
 #include <gtest/gtest.h>
 #include <libdeflate.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/expect_error.hpp"
+#include "support/load_png.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <frostfill/output.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "page/sections.hpp"
+#include "page/assemble.hpp"
 #include "support/expect_error.hpp"
 #include "unit/page/paged_run.hpp"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/expect_error.hpp"
+#include "support/load_png.hpp"
 #include "support/small_runs.hpp"
 
 #include <frostfill/image.hpp>
@@ -30,7 +31,6 @@ TEST(FrameOptions, TheLastFrameAloneIsHeldAndTurnedWithoutTheFall)
     request.scene.frames.selection = "last";
     request.scene.camera.turntable = 0.4;
     request.scene.frames.passes.depth = true;
-    request.scene.frames.contactSheet = true;
     const FillResult result = fill(request);
     EXPECT_EQ(result.frames, 12U) << "one turn";
     const std::string state = test::stateOf(nlohmann::json::parse(result.summary));
@@ -39,7 +39,6 @@ TEST(FrameOptions, TheLastFrameAloneIsHeldAndTurnedWithoutTheFall)
         EXPECT_EQ(pictureText(picture(folder / "run", i), "State"), state);
     }
     EXPECT_TRUE(std::filesystem::exists(folder / "run/depth/frame_00011.png"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "run/contact_sheet.png"));
     EXPECT_NE(loadPng(picture(folder / "run", 0)).pixels,
               loadPng(picture(folder / "run", 4)).pixels)
         << "it turns";

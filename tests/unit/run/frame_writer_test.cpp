@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/frame_writer.hpp"
 
+#include "support/load_png.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <frostfill/image.hpp>

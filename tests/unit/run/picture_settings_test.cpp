@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What callers of the library draw themselves is what `fill` and `render` draw.
+#include "support/load_png.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <frostfill/fill.hpp>

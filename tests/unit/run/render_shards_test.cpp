@@ -128,18 +128,15 @@ TEST_F(RenderShards, TellWhichPicturesAreNotThereUntilTheyAre)
                                std::filesystem::copy_options::overwrite_existing);
     RenderRequest look = into("parts");
     look.gather = true;
-    look.change = [](Scene& scene) { scene.frames.contactSheet = true; };
     RenderResult gathered = renderRun(look);
     EXPECT_EQ(gathered.missing, (std::vector<std::size_t>{2, 5}));
     EXPECT_EQ(gathered.allFrames, half + rest);
-    EXPECT_FALSE(std::filesystem::exists(folder_ / "parts/contact_sheet.png"));
     EXPECT_FALSE(std::filesystem::exists(frames / "frame_00002.png"));
 
     part.shard = {0, 2};
     EXPECT_EQ(renderRun(part).skippedFrames, half - 2); // as after a kill
     gathered = renderRun(look);
     EXPECT_EQ(gathered.missing, std::vector<std::size_t>{});
-    EXPECT_TRUE(std::filesystem::exists(folder_ / "parts/contact_sheet.png"));
 
     std::filesystem::copy_file(frames / "frame_00000.png", frames / "frame_09999.png");
     EXPECT_EQ(renderRun(look).surplus, 1U);
@@ -162,9 +159,6 @@ TEST_F(RenderShards, RefuseWhatOnlyOneProcessCanDo)
     expectError(
         ErrorCode::usage, [&] { (void)renderRun(part); }, "--overwrite");
     part.overwrite = false;
-    part.change = [](Scene& scene) { scene.frames.contactSheet = true; };
-    expectError(
-        ErrorCode::usage, [&] { (void)renderRun(part); }, "--gather makes the contact sheet");
     RenderRequest look = into("nowhere");
     look.gather = true;
     expectError(

@@ -142,7 +142,7 @@ TEST(RunDirectory, ClearsAwayWhatAKilledRunHasLeft)
     writeFile(folder / "sets.csv.part", "se");
     writeFile(folder / "run.frost.part", "fro");
     writeFile(folder / "frames/frame_00012.png.4711.tmp", "\x89P");
-    writeFile(folder / "contact_sheet.png.4711.tmp", "\x89P");
+    writeFile(folder / "states.frost", "frostrun");
     RunDirectory directory(folder.path(), EarlierRun::refuse); // that is no run
     directory.begin();
     EXPECT_EQ(countFiles(folder.path()), 0u);

@@ -40,7 +40,6 @@ Scene unusualScene()
     scene.frames.limit = 0;
     scene.frames.hold = 0.1;
     scene.frames.passes = {true, false, true};
-    scene.frames.contactSheet = true;
     scene.frames.keepRun = false;
     scene.frames.cameraPath = "0:30,20 8:120,45,2";
     scene.size = {1, 16384};

@@ -17,7 +17,7 @@ namespace
 
 using test::TemporaryFolder;
 
-FillRequest tapedRequest(Motion motion)
+FillRequest smallRequest(Motion motion)
 {
     FillRequest request;
     request.scene = presetScene(Preset::fast, "torus");
@@ -27,7 +27,7 @@ FillRequest tapedRequest(Motion motion)
     return request;
 }
 
-std::string runFileOf(const FillRequest& request, const std::filesystem::path& file, bool onTape)
+std::string runFileOf(const FillRequest& request, const std::filesystem::path& file, bool before)
 {
     const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
     Simulation simulation(request.scene, mesh.mesh);
@@ -37,18 +37,23 @@ std::string runFileOf(const FillRequest& request, const std::filesystem::path& f
         std::make_unique<RunFileWriter>(file, "{}", mesh.mesh, simulation.smallestRadius()));
     const auto plan = [&](const RunLength& length)
     { (void)planPictures(request.scene, mesh, length, &recorder, 0); };
-    if (onTape)
+    if (before)
     {
-        TapedRun run = simulateToTape(simulation, request, {});
+        const std::filesystem::path kept = file.string() + ".states";
+        RunFileWriter writer(kept, "", mesh.mesh, simulation.smallestRadius());
+        const SimulatedRun run = simulateInto(writer, simulation, request, {});
         plan(run.length);
-        EXPECT_EQ(replay(std::move(run), recorder, simulation, {}, 1), RunEnd::itself);
+        KeptStates states(kept);
+        EXPECT_EQ(replay(run.end, states, recorder, simulation, {}, 1), RunEnd::itself);
+        recorder.finish(states);
     }
     else
     {
         plan(estimateRunLength(request.scene, mesh.mesh, simulation, {}));
         EXPECT_EQ(simulate(simulation, &recorder, request, {}), RunEnd::itself);
+        LiveStates states(simulation);
+        recorder.finish(states);
     }
-    recorder.finish(LiveStates(simulation));
     recorder.file()->finish("{}");
     std::ifstream in(file, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};
@@ -76,25 +81,43 @@ TEST(ColumnsToCarry, AreThoseThatPicturesShowWhereNoRunIsKept)
     EXPECT_NE(namesOf().find("unbalance "), std::string::npos);
 }
 
-TEST(TapedRun, KeepsTheSameRunFileAsOneThatIsRehearsed)
+void expectTheSameFile(const FillRequest& request, const TemporaryFolder& folder)
+{
+    const std::string live = runFileOf(request, folder / "live", false);
+    EXPECT_GT(live.size(), 1000u);
+    EXPECT_EQ(runFileOf(request, folder / "before", true), live);
+}
+
+TEST(SimulatedRun, KeepsTheSameRunFileAsOneThatIsRehearsed)
 {
     const TemporaryFolder folder;
     for (const Motion motion : {Motion::fall, Motion::skip, Motion::descend})
     {
-        const FillRequest request = tapedRequest(motion);
-        const std::string live = runFileOf(request, folder / "live", false);
-        EXPECT_GT(live.size(), 1000u);
-        EXPECT_EQ(runFileOf(request, folder / "taped", true), live);
+        expectTheSameFile(smallRequest(motion), folder);
     }
 }
 
-TEST(TapedRun, TellsTheLengthAndTheLandingsOfATrial)
+TEST(SimulatedRun, KeepsDifferentRadiiAndAnObjectThatTilts)
 {
-    const FillRequest request = tapedRequest(Motion::skip);
+    const TemporaryFolder folder;
+    FillRequest request = smallRequest(Motion::skip);
+    request.scene = presetScene(Preset::fast, "cube");
+    request.scene.spheres.count = 40;
+    request.scene.frames.duration = 1;
+    request.scene.spheres.radius = Radii(0.1, 0.2);
+    request.scene.move.tilt = 20;
+    expectTheSameFile(request, folder);
+}
+
+TEST(SimulatedRun, TellsTheLengthAndTheLandingsOfATrial)
+{
+    const TemporaryFolder folder;
+    const FillRequest request = smallRequest(Motion::skip);
     const TriangleMesh mesh = loadMesh("torus").mesh;
     Simulation simulation(request.scene, mesh);
     const RunLength trial = estimateRunLength(request.scene, mesh, simulation, {});
-    const TapedRun run = simulateToTape(simulation, request, {});
+    RunFileWriter file(folder / "states", "", mesh, simulation.smallestRadius());
+    const SimulatedRun run = simulateInto(file, simulation, request, {});
     EXPECT_TRUE(run.length.exact);
     EXPECT_EQ(run.length.seconds, trial.seconds);
     EXPECT_EQ(run.length.seconds, simulation.time());
@@ -107,28 +130,25 @@ TEST(TapedRun, TellsTheLengthAndTheLandingsOfATrial)
     }
 }
 
-TEST(TapedRun, WhoseStatesAreTooManyBeginsAgain)
+TEST(SimulatedRun, ThatIsStoppedShowsWhereItStopped)
 {
-    const FillRequest request = tapedRequest(Motion::skip);
-    Simulation simulation(request.scene, loadMesh("torus").mesh);
-    const TapedRun run = simulateToTape(simulation, request, {}, 1000);
-    EXPECT_TRUE(run.tape.isFull());
-    EXPECT_EQ(simulation.steps(), 0u);
-    EXPECT_EQ(simulate(simulation, nullptr, request, {}), RunEnd::itself);
-    EXPECT_EQ(simulation.time(), run.length.seconds);
-}
-
-TEST(TapedRun, ThatIsStoppedStaysWhereItIs)
-{
-    const FillRequest request = tapedRequest(Motion::skip);
-    Simulation simulation(request.scene, loadMesh("torus").mesh);
+    const TemporaryFolder folder;
+    const FillRequest request = smallRequest(Motion::skip);
+    const TriangleMesh mesh = loadMesh("torus").mesh;
+    Simulation simulation(request.scene, mesh);
     int asked = 0;
     FillObserver observer;
     observer.stopRequested = [&] { return ++asked > 20; };
-    const TapedRun run = simulateToTape(simulation, request, observer, 1000);
+    RunFileWriter file(folder / "states", "", mesh, simulation.smallestRadius());
+    const SimulatedRun run = simulateInto(file, simulation, request, observer);
     EXPECT_EQ(run.end, RunEnd::stopped);
     EXPECT_GT(simulation.steps(), 0u);
     EXPECT_LE(simulation.steps(), 21u);
+    KeptStates states(folder / "states");
+    FrameRecorder recorder(nullptr, simulation.smallestRadius(), false);
+    EXPECT_EQ(replay(run.end, states, recorder, simulation, {}, 1), RunEnd::stopped);
+    EXPECT_EQ(states.time(), simulation.time());
+    EXPECT_EQ(states.sphereCount(), simulation.sphereCount());
 }
 
 } // namespace
