@@ -78,10 +78,6 @@ public:
     /// Throws Error usage if an identity is wanted and has more than 24 bits.
     void renderPasses(const Snapshot& snapshot, PassPictures& pictures);
 
-    /// The region of the object in the picture: left, top, right, bottom [pixel]. It is all of the
-    /// picture but the legend.
-    [[nodiscard]] std::array<int, 4> objectRegion() const;
-
     /// Changes the camera and undoes turn(). The kind of projection, parallel or perspective, must
     /// stay the same. Throws Error usage for a camera that makes no sense.
     void setCamera(const Camera& camera);

@@ -2,7 +2,6 @@
 #include "page/facts.hpp"
 
 #include "render/framing/framing.hpp"
-#include "render/framing/front.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/picture/mesh_shading.hpp"
 #include "render/picture/painter_settings.hpp"

@@ -31,14 +31,18 @@ Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
     : PictureBackend(mesh, wanted), context_(openContext(wanted.backend)),
       gl_(loadGlFunctions(*context_)), description_(describe(*context_, gl_)),
       framebuffer_(gl_, wanted.size.width, wanted.size.height, wanted.samples),
-      painter_(gl_, mesh, shell(), viewpoint().settings(), legend(), viewpoint().colours(),
-               framing(), samplePositions()),
+      painter_(gl_, mesh, shell(), viewpoint().settings(), framing(), samplePositions()),
       projector_(framing(), wanted.size), dirty_(wanted.size.width, wanted.size.height),
       covered_(dirty_)
 {
     if (wanted.staticLayer)
     {
         layer_.emplace(gl_, wanted.size, wanted.samples, painter_.paintsOccluders());
+    }
+    if (legend().visible())
+    {
+        swatches_.emplace(viewpoint(), painter_.variant(),
+                          wanted.samples > 1 ? kMaxTileSamples : 1);
     }
 }
 
@@ -128,7 +132,6 @@ void Pipeline::drawEverything()
     painter_.paintSpheres(drawList_.resting());
     painter_.paintSpheres(drawList_.running());
     painter_.paintShell();
-    painter_.paintLegend();
     dirty_.addAll();
 }
 
@@ -208,23 +211,17 @@ void Pipeline::renewStencil()
 void Pipeline::readBack(Image& image, std::span<const PixelRectangle> parts)
 {
     context_->makeCurrent();
-    framebuffer_.readColour(image, parts, viewpoint().settings().style.palette.background[3] < 255);
-}
-
-void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
-{
-    context_->makeCurrent();
-    follow(snapshot);
-    const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
-                                    [&](const std::unique_ptr<SurfacePass>& pass) {
-                                        return pass->size().width == size.width &&
-                                               pass->size().height == size.height;
-                                    });
-    SurfacePass& pass = found != surfacePasses_.end()
-                            ? **found
-                            : *surfacePasses_.emplace_back(std::make_unique<SurfacePass>(
-                                  gl_, shapesOnly(painter_.variant()), size));
-    pass.draw(placeSpheres(snapshot, framing()), painter_.uniforms(), surfaces);
+    const bool withAlpha = viewpoint().settings().style.palette.background[3] < 255;
+    framebuffer_.readColour(image, parts, withAlpha);
+    if (swatches_ &&
+        std::any_of(parts.begin(), parts.end(),
+                    [&](const PixelRectangle& part) { return part.overlaps(swatches_->pixels()); }))
+    {
+        const PixelRectangle around =
+            common(inWholeLanes(swatches_->pixels()), framebuffer_.whole());
+        framebuffer_.readColour(image, {&around, 1}, withAlpha); // for they may lie there already
+        swatches_->draw(image);
+    }
 }
 
 std::vector<double> Pipeline::readDepth()

@@ -7,11 +7,11 @@
 #include "render/context/framebuffer.hpp"
 #include "render/layer/scene_painter.hpp"
 #include "render/layer/static_layer.hpp"
-#include "render/passes/surface_pass.hpp"
 #include "render/picture/dirty_rectangles.hpp"
 #include "render/picture/picture_backend.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_draw_list.hpp"
+#include "render/raster/swatch_raster.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -35,8 +35,6 @@ public:
 
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image) override;
     void readBack(Image& image, std::span<const PixelRectangle> parts) override;
-    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
-                      Surfaces& surfaces) override;
     [[nodiscard]] const std::string& description() const override { return description_; }
 
     /// Window depth in 0..1, top row first; for samples == 1.
@@ -62,6 +60,7 @@ private:
     Framebuffer framebuffer_;
     ScenePainter painter_;
     std::optional<StaticLayer> layer_;
+    std::optional<SwatchRaster> swatches_;
     SphereProjector projector_;
     SphereDrawList drawList_;
     bool stale_ = true;                   ///< nothing of the picture before can be kept
@@ -70,7 +69,6 @@ private:
     std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
     std::vector<SphereInstance> spheres_; ///< that run and can be seen
     std::vector<PicturePart> parts_;      ///< [spheres_] where
-    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
 };
 
 } // namespace frostfill

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/annotated_picture.hpp"
-#include "render/picture/shrink.hpp"
-#include "render/picture/surfaces.hpp"
 #include "render/pipeline.hpp"
+#include "render/raster/surface_tiles.hpp"
 #include "render/raster/tile_pipeline.hpp"
 
 #include <frostfill/error.hpp>
@@ -182,17 +181,10 @@ void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
     const auto drawing = Clock::now();
-    own.backend->drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    own.backend->follow(snapshot);
+    drawSurfaces(snapshot, own.backend->viewpoint(), own.settings.size, own.surfaces);
     makePassPictures(own.surfaces, own.backend->framing(), pictures);
     own.times[Stage::rendering] += secondsSince(drawing);
-}
-
-std::array<int, 4> Renderer::objectRegion() const
-{
-    const auto& [left, top, right, bottom] = implementation_->backend->framing().region;
-    const auto inPicture = [&](double edge)
-    { return static_cast<int>(edge / implementation_->settings.supersample); };
-    return {inPicture(left), inPicture(top), inPicture(right), inPicture(bottom)};
 }
 
 const std::string& Renderer::description() const

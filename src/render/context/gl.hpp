@@ -1,13 +1,84 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/context/gl_registry.hpp"
-
 #include <cstddef>
 #include <type_traits>
 
 namespace frostfill
 {
+
+// What we use of OpenGL 3.3, so that no headers of it are needed to build: Debian's pull in Mesa
+// and LLVM, a third of all that the program needs to be built. Names and values are the registry's.
+// NOLINTBEGIN(readability-identifier-naming)
+using GLbitfield = unsigned int;
+using GLboolean = unsigned char;
+using GLchar = char;
+using GLenum = unsigned int;
+using GLfloat = float;
+using GLint = int;
+using GLintptr = std::ptrdiff_t;
+using GLsizei = int;
+using GLsizeiptr = std::ptrdiff_t;
+using GLubyte = unsigned char;
+using GLuint = unsigned int;
+
+constexpr GLboolean GL_FALSE = 0;
+constexpr GLboolean GL_TRUE = 1;
+constexpr GLbitfield GL_COLOR_BUFFER_BIT = 0x00004000;
+constexpr GLbitfield GL_DEPTH_BUFFER_BIT = 0x00000100;
+constexpr GLbitfield GL_STENCIL_BUFFER_BIT = 0x00000400;
+constexpr GLenum GL_ALWAYS = 0x0207;
+constexpr GLenum GL_ARRAY_BUFFER = 0x8892;
+constexpr GLenum GL_BACK = 0x0405;
+constexpr GLenum GL_BLEND = 0x0BE2;
+constexpr GLenum GL_BYTE = 0x1400;
+constexpr GLenum GL_COLOR_ATTACHMENT0 = 0x8CE0;
+constexpr GLenum GL_COMPILE_STATUS = 0x8B81;
+constexpr GLenum GL_CULL_FACE = 0x0B44;
+constexpr GLenum GL_DEPTH24_STENCIL8 = 0x88F0;
+constexpr GLenum GL_DEPTH_CLAMP = 0x864F;
+constexpr GLenum GL_DEPTH_STENCIL = 0x84F9;
+constexpr GLenum GL_DEPTH_STENCIL_ATTACHMENT = 0x821A;
+constexpr GLenum GL_DEPTH_TEST = 0x0B71;
+constexpr GLenum GL_DRAW_FRAMEBUFFER = 0x8CA9;
+constexpr GLenum GL_DYNAMIC_DRAW = 0x88E8;
+constexpr GLenum GL_ELEMENT_ARRAY_BUFFER = 0x8893;
+constexpr GLenum GL_EQUAL = 0x0202;
+constexpr GLenum GL_FLOAT = 0x1406;
+constexpr GLenum GL_FRAGMENT_SHADER = 0x8B30;
+constexpr GLenum GL_FRAMEBUFFER = 0x8D40;
+constexpr GLenum GL_FRAMEBUFFER_COMPLETE = 0x8CD5;
+constexpr GLenum GL_FRONT = 0x0404;
+constexpr GLenum GL_KEEP = 0x1E00;
+constexpr GLenum GL_LINK_STATUS = 0x8B82;
+constexpr GLenum GL_MAX_RENDERBUFFER_SIZE = 0x84E8;
+constexpr GLenum GL_MAX_SAMPLES = 0x8D57;
+constexpr GLenum GL_MAX_VIEWPORT_DIMS = 0x0D3A;
+constexpr GLenum GL_NEAREST = 0x2600;
+constexpr GLenum GL_ONE = 1;
+constexpr GLenum GL_ONE_MINUS_SRC_ALPHA = 0x0303;
+constexpr GLenum GL_PACK_ALIGNMENT = 0x0D05;
+constexpr GLenum GL_READ_FRAMEBUFFER = 0x8CA8;
+constexpr GLenum GL_RENDERBUFFER = 0x8D41;
+constexpr GLenum GL_RENDERER = 0x1F01;
+constexpr GLenum GL_REPLACE = 0x1E01;
+constexpr GLenum GL_RGBA = 0x1908;
+constexpr GLenum GL_RGBA8 = 0x8058;
+constexpr GLenum GL_SAMPLES = 0x80A9;
+constexpr GLenum GL_SAMPLE_POSITION = 0x8E50;
+constexpr GLenum GL_SCISSOR_TEST = 0x0C11;
+constexpr GLenum GL_STATIC_DRAW = 0x88E4;
+constexpr GLenum GL_STENCIL_TEST = 0x0B90;
+constexpr GLenum GL_STREAM_DRAW = 0x88E0;
+constexpr GLenum GL_TRIANGLES = 0x0004;
+constexpr GLenum GL_UNSIGNED_BYTE = 0x1401;
+constexpr GLenum GL_UNSIGNED_INT = 0x1405;
+constexpr GLenum GL_UNSIGNED_INT_24_8 = 0x84FA;
+constexpr GLenum GL_UNSIGNED_SHORT = 0x1403;
+constexpr GLenum GL_VENDOR = 0x1F00;
+constexpr GLenum GL_VERSION = 0x1F02;
+constexpr GLenum GL_VERTEX_SHADER = 0x8B31;
+// NOLINTEND(readability-identifier-naming)
 
 class Context;
 
@@ -44,8 +115,6 @@ class Context;
     X(depthMask, void(GLboolean))                                                                  \
     X(disable, void(GLenum))                                                                       \
     X(drawArrays, void(GLenum, GLint, GLsizei))                                                    \
-    X(drawArraysInstanced, void(GLenum, GLint, GLsizei, GLsizei))                                  \
-    X(drawBuffers, void(GLsizei, const GLenum*))                                                   \
     X(drawElements, void(GLenum, GLsizei, GLenum, const void*))                                    \
     X(drawElementsBaseVertex, void(GLenum, GLsizei, GLenum, const void*, GLint))                   \
     X(enable, void(GLenum))                                                                        \
@@ -66,7 +135,6 @@ class Context;
     X(getUniformLocation, GLint(GLuint, const GLchar*))                                            \
     X(linkProgram, void(GLuint))                                                                   \
     X(pixelStorei, void(GLenum, GLint))                                                            \
-    X(readBuffer, void(GLenum))                                                                    \
     X(readPixels, void(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*))                     \
     X(renderbufferStorageMultisample, void(GLenum, GLsizei, GLenum, GLsizei, GLsizei))             \
     X(scissor, void(GLint, GLint, GLsizei, GLsizei))                                               \
@@ -80,7 +148,6 @@ class Context;
     X(uniform4fv, void(GLint, GLsizei, const GLfloat*))                                            \
     X(uniformMatrix4fv, void(GLint, GLsizei, GLboolean, const GLfloat*))                           \
     X(useProgram, void(GLuint))                                                                    \
-    X(vertexAttribDivisor, void(GLuint, GLuint))                                                   \
     X(vertexAttribIPointer, void(GLuint, GLint, GLenum, GLsizei, const void*))                     \
     X(vertexAttribPointer, void(GLuint, GLint, GLenum, GLboolean, GLsizei, const void*))           \
     X(viewport, void(GLint, GLint, GLsizei, GLsizei))

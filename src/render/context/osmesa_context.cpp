@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // OSMesa: Mesa's software renderer, drawing to memory.
 #include "render/context/context.hpp"
-#include "render/context/gl_registry.hpp"
+#include "render/context/gl.hpp"
 
 #include <frostfill/error.hpp>
 

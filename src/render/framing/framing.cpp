@@ -20,6 +20,12 @@ namespace frostfill
 namespace
 {
 
+/// Less than this, over half the largest edge of the object's box, is no leaning.
+constexpr double kLeastLean = 0.25;
+
+/// Cosine of the angle between view and leaning from which on it is the back that is seen.
+constexpr double kBehind = -0.8;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Directions of the picture in unit space.
@@ -322,6 +328,38 @@ Framing revolved(const Framing& framing, const Eigen::Vector3d& up, double degre
                   glm::translate(glm::dmat4(1), -framing.pivot);
     turned.eye = glm::dvec3(turn * glm::dvec4(framing.eye - about, 1)) + about;
     return turned;
+}
+
+double frontAzimuth(const TriangleMesh& mesh, const Eigen::Vector3d& up)
+{
+    const Eigen::AlignedBox3d box = boundingBox(mesh);
+    if (box.isEmpty())
+    {
+        return kUsualAzimuth;
+    }
+    // Centres of the surface's two halves, lower and upper.
+    std::array<Eigen::Vector3d, 2> sums = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+    std::array<double, 2> areas = {0, 0};
+    for (const auto& [a, b, c] : mesh.triangles)
+    {
+        const Eigen::Vector3d& first = mesh.vertices[a];
+        const double area = (mesh.vertices[b] - first).cross(mesh.vertices[c] - first).norm() / 2;
+        const Eigen::Vector3d middle =
+            (first + mesh.vertices[b] + mesh.vertices[c]) / 3 - box.center();
+        const std::size_t half = up.dot(middle) > 0 ? 1 : 0;
+        sums[half] += area * middle;
+        areas[half] += area;
+    }
+    if (!(areas[0] > 0 && areas[1] > 0))
+    {
+        return kUsualAzimuth;
+    }
+    const Eigen::Vector3d between = sums[1] / areas[1] - sums[0] / areas[0];
+    const Eigen::Vector3d lean = between - up.dot(between) * up;
+    const glm::dvec3 view = horizontalDirection(up, kUsualAzimuth);
+    const bool leans = lean.norm() > kLeastLean * box.sizes().maxCoeff() / 2;
+    const bool behind = lean.dot(Eigen::Vector3d(view.x, view.y, view.z)) < kBehind * lean.norm();
+    return leans && behind ? kUsualAzimuth + 180 : kUsualAzimuth;
 }
 
 glm::dvec3 horizontalDirection(const Eigen::Vector3d& up, double azimuth)

@@ -2,6 +2,7 @@
 // Room: from mesh coordinates to pixels: cameras, poses, cutaways. It needs no OpenGL.
 #pragma once
 
+#include <frostfill/mesh.hpp>
 #include <frostfill/renderer.hpp>
 #include <frostfill/snapshot.hpp>
 
@@ -87,6 +88,11 @@ inline constexpr double kUsualAzimuth = 30;
 /// The horizontal direction, in mesh or unit space, in which a camera at this azimuth [degree]
 /// stands.
 [[nodiscard]] glm::dvec3 horizontalDirection(const Eigen::Vector3d& up, double azimuth);
+
+/// The azimuth of a camera that sees the object's front [degree]: 30, or 210 where that would show
+/// its back. Files do not say where the front is. An animal's head is high and in front, so that
+/// its upper half leans forward; an object that leans to no side has no back.
+[[nodiscard]] double frontAzimuth(const TriangleMesh& mesh, const Eigen::Vector3d& up);
 
 /// Two planes in unit space; a point (x, y, z, 1) is taken away when its product with both is
 /// positive. Of a single plane both are the same.

@@ -3,7 +3,6 @@
 
 #include "render/picture/painter_settings.hpp"
 #include "render/picture/projected_sphere.hpp"
-#include "render/picture/swatch_mesh.hpp"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -36,11 +35,9 @@ ShaderVariant uncut(ShaderVariant variant)
 } // namespace
 
 ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, const DrawnShell& shell,
-                           const RenderSettings& settings, const Legend& legend,
-                           const SphereColours& colours, const Framing& framing,
+                           const RenderSettings& settings, const Framing& framing,
                            std::span<const glm::vec2> samplePositions)
-    : gl_(gl), legend_(legend), colours_(colours), settings_(settings),
-      variant_(variantOf(settings, mesh)),
+    : gl_(gl), settings_(settings), variant_(variantOf(settings, mesh)),
       spherePass_(gl, uncut(variant_), samplePositions, settings_.style,
                   strokesFor(settings).lineWidth),
       meshPass_(gl, variant_, shellPalette(settings_.style),
@@ -64,20 +61,6 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, cons
     framing_ = framing;
     setShell(shell);
     lookFrom(framing);
-    if (legend_.visible())
-    {
-        const ShaderVariant flat = variantOfSwatches(variant_);
-        if (!variant_.orthographic || variant_.occlusion)
-        {
-            flatSpherePass_.emplace(gl_, flat, samplePositions, settings_.style,
-                                    strokesFor(settings).lineWidth);
-        }
-        if (!variant_.orthographic || variant_.cutaway)
-        {
-            flatMeshPass_.emplace(gl_, flat, shellPalette(settings_.style), strokesFor(settings));
-        }
-        uploadSwatches();
-    }
     for (const glm::vec2& sample : samplePositions)
     {
         occluderShrink_ = std::max(occluderShrink_, glm::length(sample) + kOccluderSlack);
@@ -131,18 +114,6 @@ void ScenePainter::findBounds()
                                    : TriangleBounds{around.empty() ? PixelRectangle{} : around,
                                                     static_cast<float>(low.z - kDepthSlack)});
     }
-}
-
-void ScenePainter::uploadSwatches()
-{
-    const SwatchShapes shapes = swatchShapes(legend_, colours_, settings_.size.height);
-    swatches_.reset(new Swatches{SphereBuffer(gl_), MeshBuffer(gl_, shapes.polygons)});
-    swatches_->spheres.update(shapes.spheres);
-    swatches_->polygons.setEdges(shapes.strengths);
-    swatches_->polygons.update(shapes.states);
-    flatUniforms_.projection = pixelProjection(settings_.size);
-    flatUniforms_.supersample = uniforms_.supersample;
-    flatUniforms_.depthSlope = -0.5F * flatUniforms_.projection[2][2];
 }
 
 void ScenePainter::setView(const Framing& framing)
@@ -327,21 +298,6 @@ void ScenePainter::paintShellPerRegion(std::span<const PicturePart> parts)
     endConfinement();
 }
 
-void ScenePainter::paintLegend()
-{
-    if (swatches_)
-    {
-        (flatSpherePass_ ? *flatSpherePass_ : spherePass_).draw(swatches_->spheres, flatUniforms_);
-        paintSwatchPolygons();
-    }
-}
-
-void ScenePainter::paintSwatchPolygons()
-{
-    (flatMeshPass_ ? *flatMeshPass_ : meshPass_)
-        .draw(swatches_->polygons, flatUniforms_.view, flatUniforms_.projection);
-}
-
 void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
                               std::span<const PicturePart> parts)
 {
@@ -358,15 +314,6 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     gl_.stencilFunc(GL_EQUAL, stencilValue_, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     paintShellPerRegion(parts);
-    const PixelRectangle legend = {0,
-                                   settings_.size.height - static_cast<int>(legend_.height()) - 1,
-                                   static_cast<int>(legend_.width()) + 1, settings_.size.height};
-    if (swatches_ &&
-        std::any_of(parts.begin(), parts.end(),
-                    [&](const PicturePart& part) { return part.pixels.overlaps(legend); }))
-    {
-        paintSwatchPolygons();
-    }
     gl_.disable(GL_STENCIL_TEST);
 }
 

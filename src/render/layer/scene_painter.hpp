@@ -3,8 +3,6 @@
 
 #include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/overlay/colour_scale.hpp"
-#include "render/overlay/legend.hpp"
 #include "render/passes/ground_pass.hpp"
 #include "render/passes/mesh_pass.hpp"
 #include "render/passes/sphere_pass.hpp"
@@ -38,15 +36,15 @@ struct PicturePart
 };
 
 /// Paints parts of the scene into the framebuffer that is bound. The order that makes a picture is
-/// clear, spheres, shell, legend.
+/// clear, spheres, shell.
 class ScenePainter
 {
 public:
     /// `shell` is what is drawn of the mesh; `samplePositions` are those of the framebuffers that
     /// are painted [pixel]; one for no multisampling.
     ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, const DrawnShell& shell,
-                 const RenderSettings& settings, const Legend& legend, const SphereColours& colours,
-                 const Framing& framing, std::span<const glm::vec2> samplePositions);
+                 const RenderSettings& settings, const Framing& framing,
+                 std::span<const glm::vec2> samplePositions);
 
     void lookFrom(const Framing& framing);
     /// Shows another mesh as the shell from now on, before the next lookFrom().
@@ -71,7 +69,6 @@ public:
     void paintShell();
     /// paintShell with the triangles that may be seen in one of the parts only.
     void paintShell(std::span<const PicturePart> parts);
-    void paintLegend();
 
     /// Returns the spheres at rest as occluders; null without ambient occlusion.
     [[nodiscard]] SphereOcclusion* sphereOcclusion()
@@ -79,7 +76,6 @@ public:
         return sphereOcclusion_ ? &*sphereOcclusion_ : nullptr;
     }
 
-    [[nodiscard]] const SphereUniforms& uniforms() const { return uniforms_; }
     [[nodiscard]] const ShaderVariant& variant() const { return variant_; }
 
     /// Adds spheres to a finished picture as if they had been painted before the shell. `parts` are
@@ -93,24 +89,13 @@ public:
     void restartStencil() { stencilValue_ = 0; }
 
 private:
-    /// The legend's swatches, drawn by the same programs as the scene.
-    struct Swatches
-    {
-        SphereBuffer spheres;
-        MeshBuffer polygons;
-    };
-
     void findBounds();
-    void uploadSwatches();
-    void paintSwatchPolygons();
     void paintSpheres(std::span<const SphereInstance> spheres, const SpherePass& pass);
     /// paintShell, only in and closely around the parts.
     void paintShellPerRegion(std::span<const PicturePart> parts);
     void setView(const Framing& framing);
 
     const GlFunctions& gl_;
-    const Legend& legend_;
-    const SphereColours& colours_;
     RenderSettings settings_;
     ShaderVariant variant_;
     std::optional<Studio> studio_;
@@ -119,13 +104,10 @@ private:
     std::vector<SphereLight> lights_;
     Framing framing_;
     SphereUniforms uniforms_;
-    SphereUniforms flatUniforms_;               ///< of the swatches
     SpherePass spherePass_;                     ///< of whole spheres
     std::optional<SpherePass> cutSpherePass_;   ///< of those that the cutaway leaves a part of
-    std::optional<SpherePass> flatSpherePass_;  ///< not in perspective, not cut, for the swatches
     std::optional<SpherePass> plainSpherePass_; ///< without multisampling, for occluders
     MeshPass meshPass_;
-    std::optional<MeshPass> flatMeshPass_; ///< as flatSpherePass_
     SphereBuffer spheres_;
     ShadedMesh shaded_;
     std::unique_ptr<MeshBuffer> shell_;
@@ -138,7 +120,6 @@ private:
     std::vector<TriangleBounds> bounds_; ///< [#T] of the shell
     std::vector<PicturePart> regionParts_;
     std::vector<std::uint32_t> chosen_; ///< of them, for a part
-    std::unique_ptr<Swatches> swatches_;
     std::vector<PixelRectangle> changed_;
     std::vector<SphereInstance> shrunk_;
     std::vector<SphereInstance> whole_; ///< beside a cutaway

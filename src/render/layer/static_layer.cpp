@@ -100,7 +100,6 @@ void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projecto
     }
     seenAtLast_ = seen_.size();
     painter.paintShell();
-    painter.paintLegend();
 }
 
 void StaticLayer::add(ScenePainter& painter, const SphereProjector& projector,
@@ -157,7 +156,6 @@ void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance>
         painter.paintSpheres(spheres_);
         const PicturePart all{part};
         painter.paintShell({&all, 1});
-        painter.paintLegend();
         painter.endConfinement();
         framebuffer_.restore(scratch, {&wanted, 1});
     }

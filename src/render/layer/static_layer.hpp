@@ -39,7 +39,7 @@ private:
     std::vector<std::int32_t> ofBlockRow_; ///< [columns] the same, as integers
 };
 
-/// The picture without the spheres that run: background, spheres at rest, shell and legend, with
+/// The picture without the spheres that run: background, spheres at rest and shell, with
 /// their depths. Every frame starts from it, so that what cannot change is not drawn again.
 class StaticLayer
 {

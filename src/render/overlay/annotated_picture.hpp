@@ -51,4 +51,8 @@ private:
     std::vector<PixelRectangle> bare_; ///< parts of what is shown that lack their text
 };
 
+/// A picture `factor` times as small in both directions: each pixel is the mean of a square, with
+/// colours counted by their alpha. What is left over at the right and bottom is dropped.
+[[nodiscard]] Image shrunk(const Image& image, int factor);
+
 } // namespace frostfill

@@ -2,7 +2,6 @@
 #include "render/overlay/viewpoint.hpp"
 
 #include "render/framing/framing.hpp"
-#include "render/framing/front.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -18,13 +18,16 @@ class SwatchRaster
 {
 public:
     /// `variant` is that of the scene.
-    SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& variant, int samples, bool avx2);
+    SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& variant, int samples);
 
     /// Around all of them, in the picture.
     [[nodiscard]] const PixelRectangle& pixels() const { return pixels_; }
     void draw(const TilePart& part, SampleTile& tile);
+    /// Draws into a picture in which they do not lie yet.
+    void draw(Image& image);
 
 private:
+    int samples_;
     std::unique_ptr<SphereRaster> raster_;
     SwatchShapes shapes_;
     std::vector<SphereBounds> placed_; ///< of the spheres

@@ -7,7 +7,7 @@
 #include "render/raster/lanes/tile_grid.hpp"
 #include "render/raster/spheres/ground_raster.hpp"
 #include "render/raster/spheres/resting_tile.hpp"
-#include "render/raster/spheres/tile_view.hpp"
+#include "render/raster/spheres/sphere_raster.hpp"
 
 #include <optional>
 #include <span>

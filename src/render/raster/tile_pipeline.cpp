@@ -2,8 +2,6 @@
 #include "render/raster/tile_pipeline.hpp"
 
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/lanes/resolve.hpp"
-#include "render/raster/surface_tiles.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -13,11 +11,10 @@
 namespace frostfill
 {
 
-TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings, bool avx2)
+TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings)
     : PictureBackend(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
       strokes_(strokesFor(settings, mesh.triangles.size())),
-      samples_(settings.samples > 1 ? kMaxTileSamples : 1), avx2_(avx2), grid_(size_),
-      triangles_(grid_)
+      samples_(settings.samples > 1 ? kMaxTileSamples : 1), grid_(size_), triangles_(grid_)
 {
     runningIn_.resize(grid_.count());
     dirty_.resize(grid_.count());
@@ -27,7 +24,7 @@ TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& setti
                    cutPlanesOf(settings, viewpoint().framing()));
     if (viewpoint().legend().visible())
     {
-        swatches_ = std::make_unique<SwatchRaster>(viewpoint(), variant_, samples_, avx2_);
+        swatches_ = std::make_unique<SwatchRaster>(viewpoint(), variant_, samples_);
     }
     useFraming();
 }
@@ -41,7 +38,7 @@ void TilePipeline::useShell()
     shaded_ = shell().shaded(framing(), variant_.fadingLines);
     edges_.emplace(shaded_);
     shell_ = std::make_unique<ShellRaster>(
-        shaded_, variant_, shellPalette(viewpoint().settings().style), strokes_, samples_, avx2_);
+        shaded_, variant_, shellPalette(viewpoint().settings().style), strokes_, samples_);
     shaded_.normals = {}; // both have what they need of these
     shaded_.edges = {};
     if (viewpoint().settings().staticLayer)
@@ -56,10 +53,9 @@ void TilePipeline::useFraming()
     const Style& style = viewpoint().settings().style;
     SphereUniforms uniforms = uniformsOf(framing, viewpoint().settings());
     layer_->light(framing, uniforms);
-    view_.emplace(
-        TileView{SphereRaster(uniforms, variant_, size_, style,
-                              strokesFor(viewpoint().settings()).lineWidth, samples_, avx2_),
-                 SphereProjector(framing, size_)});
+    view_.emplace(TileView{SphereRaster(uniforms, variant_, size_, style,
+                                        strokesFor(viewpoint().settings()).lineWidth, samples_),
+                           SphereProjector(framing, size_)});
     layer_->lookFrom(*view_, framing, uniforms);
     if (shell_)
     {
@@ -72,17 +68,6 @@ void TilePipeline::useFraming()
         }
     }
     stale_ = true;
-}
-
-void TilePipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
-                                Surfaces& surfaces)
-{
-    follow(snapshot);
-    const Framing& framing = viewpoint().framing();
-    const SphereUniforms uniforms = uniformsOf(framing, viewpoint().settings());
-    const TileView view{SphereRaster::ofSurfaces(uniforms, variant_, size, avx2_),
-                        SphereProjector(framing, size)};
-    drawSurfacesInTiles(placeSpheres(snapshot, framing), view, framing, size, surfaces);
 }
 
 const std::string& TilePipeline::description() const

@@ -5,8 +5,6 @@
 
 #include "render/picture/picture_backend.hpp"
 #include "render/picture/sphere_draw_list.hpp"
-#include "render/picture/tile_lists.hpp"
-#include "render/raster/lanes/has_avx2.hpp"
 #include "render/raster/lanes/tile_grid.hpp"
 #include "render/raster/shell/kept_shell.hpp"
 #include "render/raster/swatch_raster.hpp"
@@ -29,16 +27,12 @@ namespace frostfill
 class TilePipeline : public PictureBackend
 {
 public:
-    /// Draws the same with and without `avx2`.
-    TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings,
-                 bool avx2 = lanes::hasAvx2());
+    TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings);
 
     /// Draws into `image`, of which what is not in the parts that are returned stays.
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image) override;
     /// It is there already.
     void readBack(Image& /*image*/, std::span<const PixelRectangle> /*parts*/) override {}
-    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
-                      Surfaces& surfaces) override;
     [[nodiscard]] const std::string& description() const override;
 
 private:
@@ -55,7 +49,6 @@ private:
     ShaderVariant variant_;
     MeshStrokes strokes_;
     int samples_;
-    bool avx2_;
     TileGrid grid_;
     ShadedMesh shaded_;
     std::optional<EdgeStrengths> edges_; ///< of the shell

@@ -33,10 +33,11 @@ void expectColoursOfPolygons(RenderSettings settings, PolygonState state, Backen
     Renderer renderer(mesh, settings);
     Image image;
     renderer.render(snapshot, image);
-    const auto& [left, top, right, bottom] = renderer.objectRegion();
-    // Beside the middle, through which the diagonal runs.
-    const auto* polygon = image.at((5 * left + 4 * right) / 9, (4 * top + 5 * bottom) / 9);
     const Viewpoint viewpoint(mesh, settings);
+    const auto& [left, top, right, bottom] = viewpoint.framing().region;
+    // Beside the middle, through which the diagonal runs.
+    const auto* polygon = image.at(static_cast<int>((5 * left + 4 * right) / 9),
+                                   static_cast<int>((4 * top + 5 * bottom) / 9));
     ASSERT_EQ(viewpoint.legend().polygons().size(), 2U);
     for (const Legend::Swatch& swatch : viewpoint.legend().polygons())
     {

@@ -17,14 +17,32 @@
 
 #if defined(__x86_64__)
 #define FROSTFILL_AVX2 __attribute__((target("avx2")))
-#define FROSTFILL_HAS_AVX2 (__builtin_cpu_supports("avx2") != 0)
 #else
 #define FROSTFILL_AVX2
-#define FROSTFILL_HAS_AVX2 false
 #endif
 
 namespace frostfill::lanes
 {
+
+template <class Body>
+FROSTFILL_AVX2 void withAvx2(const Body& body)
+{
+    body();
+}
+
+template <class Body>
+void withoutAvx2(const Body& body)
+{
+    body();
+}
+
+/// Calls body(), compiled for AVX2 where the processor has it. Like all that it calls, the body has
+/// to be inlined: a lambda needs the attribute always_inline.
+template <class Body>
+void inLanes(const Body& body)
+{
+    drawsWithAvx2 ? withAvx2(body) : withoutAvx2(body);
+}
 
 using Floats = float __attribute__((vector_size(4 * kLanes)));
 using Words = std::uint32_t __attribute__((vector_size(4 * kLanes)));

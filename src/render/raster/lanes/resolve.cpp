@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/lanes/resolve.hpp"
+#include "render/raster/lanes/sample_tile.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/picture/tile_lists.hpp"
 
+#include <frostfill/image.hpp>
 #include <frostfill/view.hpp>
 
 #include <array>
@@ -17,7 +17,7 @@ namespace frostfill
 {
 
 /// Edge of a tile [pixel].
-inline constexpr int kTileEdge = TilePlaces::kTile;
+inline constexpr int kTileEdge = 32;
 inline constexpr int kTilePixels = kTileEdge * kTileEdge;
 
 /// Pixels of a row that are worked out at once: as many floats as a register of AVX2 has. Parts of
@@ -25,6 +25,14 @@ inline constexpr int kTilePixels = kTileEdge * kTileEdge;
 inline constexpr int kLanes = 8;
 
 inline constexpr int kMaxTileSamples = 4;
+
+/// Whether tiles are drawn with AVX2, which gives the same bits as drawing without: tests compare
+/// both.
+#if defined(__x86_64__)
+inline bool drawsWithAvx2 = __builtin_cpu_supports("avx2") != 0;
+#else
+inline bool drawsWithAvx2 = false;
+#endif
 
 /// How near a surface is: 1 over the distance ahead of the eye, or without perspective its height
 /// above the eye's plane; it is linear over the picture. Larger hides smaller, nothing hides least.
@@ -92,5 +100,9 @@ struct TilePart
         return inWholeLanes(inside(picture));
     }
 };
+
+/// Writes the means of the samples of a part of a tile into the picture, which has three channels,
+/// or four: then colours are divided by alpha. The picture's top row is first.
+void resolve(const SampleTile& tile, const TilePart& part, int samples, Image& image);
 
 } // namespace frostfill

@@ -4,7 +4,6 @@
 #include "render/picture/for_all.hpp"
 #include "render/picture/mesh_shading.hpp"
 #include "render/raster/lanes/shading.hpp"
-#include "render/raster/shell/shell_rows.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +24,9 @@ constexpr std::uint32_t kTrianglesPerTask = 256;
 } // namespace
 
 ShellRaster::ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant,
-                         const Palette& palette, const MeshStrokes& strokes, int samples, bool avx2)
-    : mesh_(mesh), variant_(variant), strokes_(strokes), samples_(samples), avx2_(avx2),
-      shape_(mesh), states_(mesh.triangles.size(), PolygonState::active),
-      places_(mesh.triangles.size())
+                         const Palette& palette, const MeshStrokes& strokes, int samples)
+    : mesh_(mesh), variant_(variant), strokes_(strokes), samples_(samples), shape_(mesh),
+      states_(mesh.triangles.size(), PolygonState::active), places_(mesh.triangles.size())
 {
     const std::array<Colour, 2> colours = {palette.activePolygon, palette.discardedPolygon};
     for (std::size_t state = 0; state < colours.size(); ++state)
@@ -108,7 +106,7 @@ void ShellRaster::draw(std::span<const std::uint32_t> triangles, const TilePart&
         if (!pixels.empty() &&
             (resting == nullptr || !resting->hides({place.pixels(), place.nearest}, part)))
         {
-            drawShellRows(avx2_, samples_, setUp(triangle), rows_, pixels, part, tile);
+            drawShellRows(samples_, setUp(triangle), rows_, pixels, part, tile);
         }
     }
 }
@@ -126,7 +124,7 @@ void ShellRaster::record(std::span<const std::uint32_t> triangles, const TilePar
         const PixelRectangle pixels = part.inside(places_[triangle].pixels());
         if (!pixels.empty())
         {
-            drawShellRows(avx2_, samples_, setUp(triangle), rows_, pixels, part, *empty, &pieces);
+            drawShellRows(samples_, setUp(triangle), rows_, pixels, part, *empty, &pieces);
         }
     }
 }
@@ -138,7 +136,7 @@ void ShellRaster::blend(std::span<const ShellPiece> pieces, const PixelRectangle
         pieces.begin(), pieces.end(), [&](const ShellPiece& p) { return p.row() < pixels.bottom; });
     const auto end = std::partition_point(
         first, pieces.end(), [&](const ShellPiece& p) { return p.row() < pixels.top; });
-    blendShellPieces(avx2_, {first, end}, pixels, tile);
+    blendShellPieces({first, end}, pixels, tile);
 }
 
 } // namespace frostfill

@@ -6,9 +6,10 @@
 #include "render/picture/mesh_shading.hpp"
 #include "render/picture/painter_settings.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
-#include "render/raster/shell/shell_vertices.hpp"
 #include "render/raster/spheres/resting_tile.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
+
+#include <glm/vec3.hpp>
 
 #include <array>
 #include <cstdint>
@@ -53,14 +54,26 @@ struct ShellPiece
     [[nodiscard]] int row() const { return at / kTileEdge; }
 };
 
+/// The vertices of a mesh, each once for every normal that it has: a camera looks at a vertex of a
+/// smooth surface once and not in every triangle. They are in the order of the triangles, so that
+/// those of a triangle are found where the one before had its own.
+struct ShellVertices
+{
+    explicit ShellVertices(const ShadedMesh& mesh);
+
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;                      ///< [positions]
+    std::vector<std::array<std::uint32_t, 3>> triangles; ///< [#T] indices into positions
+};
+
 /// Draws the shell as mesh.vert and mesh.frag do, a sample at a time. A length in the picture that
 /// is the same over most of a triangle is worked out once for it.
 class ShellRaster
 {
 public:
-    /// `mesh` must stay. `avx2` as lanes::hasAvx2().
+    /// `mesh` must stay.
     ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant, const Palette& palette,
-                const MeshStrokes& strokes, int samples, bool avx2);
+                const MeshStrokes& strokes, int samples);
 
     /// `edgeStrengths` must stay. `front` is added to what is near without perspective.
     void lookFrom(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
@@ -182,7 +195,6 @@ private:
     ShaderVariant variant_;
     MeshStrokes strokes_;
     int samples_;
-    bool avx2_;
     std::array<std::array<Paint, 2>, 2> paints_; ///< [PolygonState][front]
     glm::mat4 view_{1};
     PixelGrid grid_;
@@ -196,5 +208,14 @@ private:
     std::vector<Place> places_;                          ///< [#T] for this camera
     std::vector<std::uint32_t> changed_;
 };
+
+/// Blends a triangle over what a part of a tile has of it, and adds to `record` what it blends.
+void drawShellRows(int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
+                   const PixelRectangle& pixels, const TilePart& part, SampleTile& tile,
+                   std::vector<ShellPiece>* record = nullptr);
+
+/// Blends pieces over what has these columns.
+void blendShellPieces(std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
+                      SampleTile& tile);
 
 } // namespace frostfill

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/shell/shell_rows.hpp"
-
-#include "render/raster/shell/shell_cut.hpp"
-#include "render/raster/shell/shell_surface.hpp"
+// How triangles of the shell look in a point, and how their rows are drawn.
+#include "render/raster/lanes/shading.hpp"
+#include "render/raster/shell/shell_raster.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace frostfill
 {
@@ -16,6 +16,105 @@ namespace
 using namespace lanes;
 using Setup = ShellRaster::Setup;
 using Frame = ShellRows;
+
+/// How far a point is from the cut in the picture, positive beyond it, where it is `isNear`, which
+/// changes by `nearX` and `nearY` from pixel to pixel. [pixel]
+FROSTFILL_INLINE Floats pixelsFromCut(const ShellCut& cut, Floats x, Floats y, Floats isNear,
+                                      float nearX, float nearY)
+{
+    const Floats over = cut.orthographic ? all(1) : 1 / isNear;
+    const Floats rayX = cut.left + cut.perColumn * x;
+    const Floats rayY = cut.bottom + cut.perRow * y;
+    std::array<Floats, 2> depth;
+    std::array<Floats, 2> slope;
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+        const auto& [a, b, c, d] = cut.planes[i];
+        const Floats beside = a * rayX + b * rayY;
+        const Floats ahead = cut.orthographic ? beside + c * isNear : (beside - c) * over;
+        const Floats bySideX = cut.orthographic ? all(c * nearX) : -ahead * nearX;
+        const Floats bySideY = cut.orthographic ? all(c * nearY) : -ahead * nearY;
+        const Floats slopeX = (a * cut.perColumn + bySideX) * over;
+        const Floats slopeY = (b * cut.perRow + bySideY) * over;
+        depth[i] = ahead + d;
+        slope[i] = abs(slopeX) + abs(slopeY);
+    }
+    const Mask first = depth[0] < depth[1];
+    const Floats nearest = select(first, depth[0], depth[1]);
+    const Floats steepest = select(nearest > 0, all(cut.steepest), cut.steepestBefore) * over;
+    return nearest / min(max(select(first, slope[0], slope[1]), 1e-6F), steepest);
+}
+
+struct SurfaceSample
+{
+    Floats share;
+    Floats light;
+};
+
+/// The light on a point of the surface, and how far it faces the viewer, from the normal there.
+FROSTFILL_INLINE Floats curved(const Setup& s, const Frame& f, Floats x, Floats y, Floats b0,
+                               Floats b1, Floats b2, Floats& facing)
+{
+    const Floats nx = b0 * s.normals[0].x + b1 * s.normals[1].x + b2 * s.normals[2].x;
+    const Floats ny = b0 * s.normals[0].y + b1 * s.normals[1].y + b2 * s.normals[2].y;
+    const Floats nz = b0 * s.normals[0].z + b1 * s.normals[1].z + b2 * s.normals[2].z;
+    const Floats length = 1 / root(max(nx * nx + ny * ny + nz * nz, 1e-12F));
+    const Floats rayX = f.left + f.perColumn * x;
+    const Floats rayY = f.bottom + f.perRow * y;
+    const Floats towards =
+        (nz - nx * rayX - ny * rayY) * length / root(rayX * rayX + (1 + rayY * rayY));
+    facing = abs(towards);
+    return lightInFilm(lightOn({nx * length, ny * length, nz * length}));
+}
+
+/// Of the surface: how much it covers and the light on it; and how much its lines cover of that.
+template <bool lines>
+FROSTFILL_INLINE std::pair<SurfaceSample, Floats>
+surfaceAndLine(const Setup& s, const Frame& f, Floats x, Floats y, Floats d0, Floats d1, Floats d2)
+{
+    const Floats l0 = s.share[0] * d0;
+    const Floats l1 = s.share[1] * d1;
+    const Floats l2 = s.share[2] * d2;
+    const Floats over = 1 / max(l0 + l1 + l2, 1e-12F);
+    const Floats b0 = l0 * over;
+    const Floats b1 = l1 * over;
+    const Floats b2 = l2 * over;
+    SurfaceSample surface;
+    Floats facing;
+    if (s.flat)
+    {
+        facing = b0 * s.facing[0] + b1 * s.facing[1] + b2 * s.facing[2];
+        facing = abs(facing);
+        surface.light = b0 * s.light[0] + b1 * s.light[1] + b2 * s.light[2];
+    }
+    else
+    {
+        surface.light = curved(s, f, x, y, b0, b1, b2, facing);
+    }
+    surface.share = filmShare(all(s.density), all(s.rimDensity), facing);
+    if constexpr (!lines)
+    {
+        return {surface, Floats{}};
+    }
+    Floats line{};
+    if (s.edges)
+    {
+        line = max(
+            s.strength[0] * onLine(d0, f.lineWidth),
+            max(s.strength[1] * onLine(d1, f.lineWidth), s.strength[2] * onLine(d2, f.lineWidth)));
+    }
+    if (s.contour > 0)
+    {
+        line = max(line, contourLine(all(s.contour), facing, all(s.pixelsOfFacing), f.lineWidth));
+    }
+    if (s.crease > 0)
+    {
+        const Floats away =
+            b0 * s.creaseDistance[0] + b1 * s.creaseDistance[1] + b2 * s.creaseDistance[2];
+        line = max(line, creaseLine(all(s.crease), away, all(s.pixelsOfCrease), f.lineWidth));
+    }
+    return {surface, line};
+}
 
 /// Columns of the row, in the tile, at which any sample may be inside; not yet in whole lanes.
 FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
@@ -195,27 +294,6 @@ FROSTFILL_INLINE void drawDetail(const Setup& setup, const Frame& frame,
     }
 }
 
-FROSTFILL_INLINE void drawAny(int samples, const Setup& setup, const Frame& frame,
-                              const PixelRectangle& pixels, const TilePart& part, SampleTile& tile,
-                              std::vector<ShellPiece>* record)
-{
-    samples > 1 ? drawDetail<kMaxTileSamples>(setup, frame, pixels, part, tile, record)
-                : drawDetail<1>(setup, frame, pixels, part, tile, record);
-}
-
-FROSTFILL_AVX2 void drawAvx2(int samples, const Setup& setup, const Frame& frame,
-                             const PixelRectangle& pixels, const TilePart& part, SampleTile& tile,
-                             std::vector<ShellPiece>* record)
-{
-    drawAny(samples, setup, frame, pixels, part, tile, record);
-}
-
-void drawPlain(int samples, const Setup& setup, const Frame& frame, const PixelRectangle& pixels,
-               const TilePart& part, SampleTile& tile, std::vector<ShellPiece>* record)
-{
-    drawAny(samples, setup, frame, pixels, part, tile, record);
-}
-
 /// Where a piece is before what is there.
 FROSTFILL_INLINE void blendAny(std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
                                SampleTile& tile)
@@ -235,33 +313,26 @@ FROSTFILL_INLINE void blendAny(std::span<const ShellPiece> pieces, const PixelRe
     }
 }
 
-FROSTFILL_AVX2 void blendAvx2(std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
-                              SampleTile& tile)
-{
-    blendAny(pieces, pixels, tile);
-}
-
-void blendPlain(std::span<const ShellPiece> pieces, const PixelRectangle& pixels, SampleTile& tile)
-{
-    blendAny(pieces, pixels, tile);
-}
-
 } // namespace
 
-void drawShellRows(bool avx2, int samples, const ShellRaster::Setup& setup, const ShellRows& frame,
+void drawShellRows(int samples, const Setup& setup, const ShellRows& frame,
                    const PixelRectangle& pixels, const TilePart& part, SampleTile& tile,
                    std::vector<ShellPiece>* record)
 {
-    if (setup.seen)
+    if (!setup.seen)
     {
-        (avx2 ? drawAvx2 : drawPlain)(samples, setup, frame, pixels, part, tile, record);
+        return;
     }
+    inLanes([&]() __attribute__((always_inline)) {
+        samples > 1 ? drawDetail<kMaxTileSamples>(setup, frame, pixels, part, tile, record)
+                    : drawDetail<1>(setup, frame, pixels, part, tile, record);
+    });
 }
 
-void blendShellPieces(bool avx2, std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
+void blendShellPieces(std::span<const ShellPiece> pieces, const PixelRectangle& pixels,
                       SampleTile& tile)
 {
-    (avx2 ? blendAvx2 : blendPlain)(pieces, pixels, tile);
+    inLanes([&]() __attribute__((always_inline)) { blendAny(pieces, pixels, tile); });
 }
 
 } // namespace frostfill

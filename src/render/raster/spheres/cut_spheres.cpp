@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Spheres that a cutaway leaves a part of, as in sphere.frag and common.glsl with CUTAWAY.
-#include "render/raster/spheres/cut_spheres.hpp"
-
 #include "render/raster/spheres/sphere_looks.hpp"
 
 #include <glm/geometric.hpp>
@@ -155,31 +153,15 @@ FROSTFILL_INLINE void drawAny(const Drawn& drawn, const PixelRectangle& rows, co
         });
 }
 
-FROSTFILL_INLINE void drawSamples(int samples, const Drawn& drawn, const PixelRectangle& rows,
-                                  const TilePart& part, SampleTile& tile)
-{
-    samples > 1 ? drawAny<kMaxTileSamples>(drawn, rows, part, tile)
-                : drawAny<1>(drawn, rows, part, tile);
-}
-
-FROSTFILL_AVX2 void drawAvx2(int samples, const Drawn& drawn, const PixelRectangle& rows,
-                             const TilePart& part, SampleTile& tile)
-{
-    drawSamples(samples, drawn, rows, part, tile);
-}
-
-void drawPlain(int samples, const Drawn& drawn, const PixelRectangle& rows, const TilePart& part,
-               SampleTile& tile)
-{
-    drawSamples(samples, drawn, rows, part, tile);
-}
-
 } // namespace
 
-void drawCutSphere(bool avx2, int samples, const SphereRaster::Drawn& drawn,
-                   const PixelRectangle& rows, const TilePart& part, SampleTile& tile)
+void drawCutSphere(int samples, const Drawn& drawn, const PixelRectangle& rows,
+                   const TilePart& part, SampleTile& tile)
 {
-    (avx2 ? drawAvx2 : drawPlain)(samples, drawn, rows, part, tile);
+    inLanes([&]() __attribute__((always_inline)) {
+        samples > 1 ? drawAny<kMaxTileSamples>(drawn, rows, part, tile)
+                    : drawAny<1>(drawn, rows, part, tile);
+    });
 }
 
 void SphereRaster::setCut(const SphereInstance& sphere, const Axes& axes, Cut& cut) const

@@ -6,7 +6,6 @@
 #include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/spheres/ground_raster.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
-#include "render/raster/spheres/tile_view.hpp"
 
 #include <array>
 #include <cstdint>

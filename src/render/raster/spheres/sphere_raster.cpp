@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/raster/spheres/sphere_raster.hpp"
 
-#include "render/raster/spheres/cut_spheres.hpp"
 #include "render/raster/spheres/sphere_looks.hpp"
 
 #include <algorithm>
@@ -115,31 +114,6 @@ FROSTFILL_INLINE void drawAny(const Drawn& drawn, const PixelRectangle& rows, co
         });
 }
 
-FROSTFILL_INLINE void drawSamples(int samples, const Drawn& drawn, const PixelRectangle& rows,
-                                  const TilePart& part, SampleTile& tile)
-{
-    if (samples > 1)
-    {
-        drawAny<kMaxTileSamples>(drawn, rows, part, tile);
-    }
-    else
-    {
-        drawAny<1>(drawn, rows, part, tile);
-    }
-}
-
-FROSTFILL_AVX2 void drawAvx2(int samples, const Drawn& drawn, const PixelRectangle& rows,
-                             const TilePart& part, SampleTile& tile)
-{
-    drawSamples(samples, drawn, rows, part, tile);
-}
-
-void drawPlain(int samples, const Drawn& drawn, const PixelRectangle& rows, const TilePart& part,
-               SampleTile& tile)
-{
-    drawSamples(samples, drawn, rows, part, tile);
-}
-
 } // namespace
 
 void SphereRaster::draw(const SphereInstance& sphere, const PixelRectangle& pixels,
@@ -171,10 +145,13 @@ void SphereRaster::draw(const SphereInstance& sphere, const PixelRectangle& pixe
     {
         setCut(sphere, axes, cut);
         drawn.cut = &cut;
-        drawCutSphere(avx2_, samples_, drawn, rows, part, tile);
+        drawCutSphere(samples_, drawn, rows, part, tile);
         return;
     }
-    (avx2_ ? drawAvx2 : drawPlain)(samples_, drawn, rows, part, tile);
+    inLanes([&]() __attribute__((always_inline)) {
+        samples_ > 1 ? drawAny<kMaxTileSamples>(drawn, rows, part, tile)
+                     : drawAny<1>(drawn, rows, part, tile);
+    });
 }
 
 } // namespace frostfill

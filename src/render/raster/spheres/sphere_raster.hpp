@@ -37,15 +37,15 @@ public:
     static constexpr std::size_t kIdentities = 1;
 
     /// How SpherePass draws, for a size of the picture. `front` is added to the inverse depth
-    /// without perspective. `avx2` as lanes::hasAvx2().
+    /// without perspective.
     SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& variant,
                  const PictureSize& size, const Style& style, float lineWidth, int samples,
-                 bool avx2, float front = 0);
-    /// The same as surface.frag: one sample a pixel, for its colour where the sphere faces, and in
-    /// another plane what SphereInstance::colour has, as a word.
+                 float front = 0);
+    /// For what spheres are and not how they look: one sample a pixel, for its colour where the
+    /// sphere faces, and in another plane what SphereInstance::colour has, as a word.
     [[nodiscard]] static SphereRaster ofSurfaces(const SphereUniforms& uniforms,
                                                  const ShaderVariant& variant,
-                                                 const PictureSize& size, bool avx2);
+                                                 const PictureSize& size);
 
     /// `pixels` is the sphere's rectangle in the picture. `light`: with ambient occlusion.
     void draw(const SphereInstance& sphere, const PixelRectangle& pixels, const TilePart& part,
@@ -170,9 +170,34 @@ private:
     float outline_;        ///< [pixel] for print
     glm::vec3 background_; ///< [0..1]
     int samples_;
-    bool avx2_;
     float front_;
     std::array<float, 2> shown_; ///< distances ahead between which outlines are, as OpenGL clips
 };
+
+/// Where a sphere may be seen in the picture, and how near it comes.
+struct SphereBounds
+{
+    PixelRectangle pixels;
+    float nearest = 0;
+};
+
+/// How spheres come into the picture, from where the camera is.
+struct TileView
+{
+    SphereRaster raster;
+    SphereProjector projector;
+
+    [[nodiscard]] SphereBounds place(const SphereInstance& sphere) const
+    {
+        return raster.takesAway(sphere)
+                   ? SphereBounds{}
+                   : SphereBounds{projector.project(sphere).pixels, raster.nearest(sphere)};
+    }
+};
+
+/// Draws what a cutaway leaves of a sphere; `rows` are of the tile. A sample has the depth and the
+/// colour of its own place, for a cut runs through the middle of pixels.
+void drawCutSphere(int samples, const SphereRaster::Drawn& drawn, const PixelRectangle& rows,
+                   const TilePart& part, SampleTile& tile);
 
 } // namespace frostfill

@@ -42,20 +42,20 @@ PixelGrid pixelGrid(const glm::mat4& projection, bool orthographic, const Pictur
 
 SphereRaster::SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& variant,
                            const PictureSize& size, const Style& style, float lineWidth,
-                           int samples, bool avx2, float front)
+                           int samples, float front)
     : uniforms_(uniforms), grid_(pixelGrid(uniforms.projection, variant.orthographic, size)),
       cutaway_(variant.cutaway), print_(variant.outlines), studio_(variant.studio),
       outline_(lineWidth), background_(toVector(style.palette.background)), samples_(samples),
-      avx2_(avx2), front_(front)
+      front_(front)
 {
     const auto [nearest, furthest] = depthLimits(uniforms.projection, variant.orthographic);
     shown_ = {static_cast<float>(nearest), static_cast<float>(furthest)};
 }
 
 SphereRaster SphereRaster::ofSurfaces(const SphereUniforms& uniforms, const ShaderVariant& variant,
-                                      const PictureSize& size, bool avx2)
+                                      const PictureSize& size)
 {
-    SphereRaster raster(uniforms, variant, size, {}, 0, 1, avx2);
+    SphereRaster raster(uniforms, variant, size, {}, 0, 1);
     raster.surfaces_ = true;
     return raster;
 }

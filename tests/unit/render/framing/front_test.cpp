@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/framing/front.hpp"
-
+#include "render/framing/framing.hpp"
 #include "support/pictures.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/picture/shrink.hpp"
-
+#include "render/overlay/annotated_picture.hpp"
 #include "support/pictures.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,6 @@
 #include "render/picture/painter_settings.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/pipeline.hpp"
-#include "render/raster/lanes/has_avx2.hpp"
 #include "render/raster/lanes/tile_grid.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
 #include "support/drawn_with.hpp"
@@ -85,7 +84,7 @@ Drawn drawInTiles(const TriangleMesh& mesh, const RenderSettings& settings,
     ledger.update(snapshot, framing, viewpoint.colours());
     Drawn drawn{framing, allOf(ledger), {}};
     const SphereRaster raster(uniformsOf(framing, settings), variantOf(settings, mesh),
-                              settings.size, settings.style, 1, 1, lanes::hasAvx2());
+                              settings.size, settings.style, 1, 1);
     const SphereProjector projector(framing, settings.size);
     const TileGrid grid(settings.size);
     const RayCaster caster(framing, settings.size);

@@ -2,7 +2,6 @@
 #include "render/raster/shell/kept_shell.hpp"
 
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/lanes/has_avx2.hpp"
 #include "render/raster/lanes/tile_grid.hpp"
 #include "support/pictures.hpp"
 
@@ -36,7 +35,7 @@ TriangleMesh stackOf(int count)
 class ShellOfTiles
 {
 public:
-    ShellOfTiles(const TriangleMesh& mesh, int samples, bool avx2,
+    ShellOfTiles(const TriangleMesh& mesh, int samples,
                  std::size_t mostBytes = KeptShell::kMostBytes)
         : samples_(samples)
     {
@@ -50,7 +49,7 @@ public:
         shaded_ = shadeMesh(mesh, positions);
         shell_ = std::make_unique<ShellRaster>(shaded_, ShaderVariant{.fadingLines = true},
                                                shellPalette(settings_.style), strokesFor(settings_),
-                                               samples, avx2);
+                                               samples);
         edges_ = edgeStrengths(shaded_, glm::vec3(framing_.eye), false);
         shell_->lookFrom(uniformsOf(framing_, settings_), false, settings_.size, edges_);
         kept_ = std::make_unique<KeptShell>(*shell_, tiles(), mostBytes);
@@ -123,9 +122,10 @@ TEST(KeptShell, BlendsWhatDrawingBlendsBeforeAndBehindWhatLiesThere)
 {
     for (const int samples : {1, kMaxTileSamples})
     {
-        for (const bool avx2 : {false, lanes::hasAvx2()})
+        for (const bool avx2 : {false, drawsWithAvx2})
         {
-            ShellOfTiles drawn(torusMesh(1, 0.4, 96, 48), samples, avx2);
+            ShellOfTiles drawn(torusMesh(1, 0.4, 96, 48), samples);
+            const bool before = std::exchange(drawsWithAvx2, avx2);
             for (int time = 0; time < 4; ++time)
             {
                 EXPECT_GT(drawn.drawAll(), 500);
@@ -135,13 +135,14 @@ TEST(KeptShell, BlendsWhatDrawingBlendsBeforeAndBehindWhatLiesThere)
                 EXPECT_TRUE(drawn.kept().keeps(tile));
                 drawn.draw(tile, {8, 3, 24, 17});
             }
+            drawsWithAvx2 = before;
         }
     }
 }
 
 TEST(KeptShell, KeepsATileOnceATilesWorthOfItHasBeenDrawn)
 {
-    ShellOfTiles drawn(torusMesh(1, 0.4, 48, 12), kMaxTileSamples, lanes::hasAvx2());
+    ShellOfTiles drawn(torusMesh(1, 0.4, 48, 12), kMaxTileSamples);
     const PixelRectangle half = {0, 0, kTileEdge, kTileEdge / 2};
     drawn.draw(0, half);
     drawn.draw(0, half);
@@ -154,7 +155,7 @@ TEST(KeptShell, KeepsATileOnceATilesWorthOfItHasBeenDrawn)
 TEST(KeptShell, KeepsNothingOfACameraThatMovesOrOfATileWhoseShellHasChanged)
 {
     const TriangleMesh mesh = torusMesh(1, 0.4, 48, 12);
-    ShellOfTiles drawn(mesh, kMaxTileSamples, lanes::hasAvx2());
+    ShellOfTiles drawn(mesh, kMaxTileSamples);
     drawn.drawAll();
     drawn.drawAll();
     const std::vector<PolygonState> discarded(mesh.triangles.size(), PolygonState::discarded);
@@ -173,7 +174,7 @@ TEST(KeptShell, KeepsNothingOfACameraThatMovesOrOfATileWhoseShellHasChanged)
 
 TEST(KeptShell, DrawsWhatItMayNotKeep)
 {
-    ShellOfTiles drawn(torusMesh(1, 0.4, 48, 12), kMaxTileSamples, lanes::hasAvx2(), 0);
+    ShellOfTiles drawn(torusMesh(1, 0.4, 48, 12), kMaxTileSamples, 0);
     for (int time = 0; time < 3; ++time)
     {
         EXPECT_GT(drawn.drawAll(), 500);
@@ -183,7 +184,7 @@ TEST(KeptShell, DrawsWhatItMayNotKeep)
 
 TEST(KeptShell, MayKeepMoreOnceItHasForgotten)
 {
-    ShellOfTiles drawn(torusMesh(1, 0.4, 48, 12), kMaxTileSamples, lanes::hasAvx2(), 1);
+    ShellOfTiles drawn(torusMesh(1, 0.4, 48, 12), kMaxTileSamples, 1);
     drawn.draw(6);
     drawn.draw(6);
     drawn.draw(8);
@@ -199,7 +200,7 @@ TEST(KeptShell, KeepsAndDrawsTilesOfAnyDepth)
 {
     for (const int count : {30, 40})
     {
-        ShellOfTiles drawn(stackOf(count), kMaxTileSamples, lanes::hasAvx2());
+        ShellOfTiles drawn(stackOf(count), kMaxTileSamples);
         EXPECT_GT(drawn.drawAll(), 500);
         drawn.drawAll();
         drawn.drawAll();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/lanes/has_avx2.hpp"
 #include "render/raster/shell/shell_raster.hpp"
 #include "support/pictures.hpp"
 
@@ -57,10 +56,10 @@ protected:
         edges_ = edgeStrengths(shaded_, glm::vec3(framing_.eye), false);
     }
 
-    [[nodiscard]] ShellRaster shell(bool avx2) const
+    [[nodiscard]] ShellRaster shell() const
     {
         ShellRaster result(shaded_, {.fadingLines = true}, shellPalette(settings_.style),
-                           strokesFor(settings_), GetParam(), avx2);
+                           strokesFor(settings_), GetParam());
         result.lookFrom(uniformsOf(framing_, settings_), false, settings_.size, edges_);
         return result;
     }
@@ -120,7 +119,7 @@ PixelRectangle covered(const std::array<glm::dvec2, 3>& at, int samples)
 
 TEST_P(ShellPlaces, HoldEverySampleOfATriangleAndNoRowBeyondItsSamples)
 {
-    const ShellRaster shell = this->shell(lanes::hasAvx2());
+    const ShellRaster shell = this->shell();
     const double gap = GetParam() > 1 ? 0.125 : 0.5; // from a pixel's edge to its samples
     constexpr double kRoom = 0.06;
     int empty = 0;
@@ -149,7 +148,7 @@ TEST_P(ShellPlaces, HoldEverySampleOfATriangleAndNoRowBeyondItsSamples)
 
 TEST_P(ShellPlaces, AreDrawnWithTheirBacksFirst)
 {
-    const std::vector<std::uint32_t> order = shell(lanes::hasAvx2()).inDrawingOrder();
+    const std::vector<std::uint32_t> order = shell().inDrawingOrder();
     const auto isFront = [&](std::uint32_t t)
     {
         const auto at = corners(t);
@@ -166,12 +165,11 @@ TEST_P(ShellPlaces, AreDrawnWithTheirBacksFirst)
 
 TEST_P(ShellPlaces, AndLooksAreTheSameBitsWithAvx2AndWithout)
 {
-    const ShellRaster plain = shell(false);
-    const ShellRaster other = shell(lanes::hasAvx2());
-    const std::vector<std::uint32_t> order = plain.inDrawingOrder();
-    EXPECT_EQ(other.inDrawingOrder(), order);
-    const auto drawn = [&](const ShellRaster& shell, int left, int bottom)
+    const ShellRaster shell = this->shell();
+    const std::vector<std::uint32_t> order = shell.inDrawingOrder();
+    const auto drawn = [&](bool avx2, int left, int bottom)
     {
+        const bool before = std::exchange(drawsWithAvx2, avx2);
         auto tile = std::make_unique<SampleTile>();
         for (std::size_t plane = 0; plane < kMaxTileSamples; ++plane)
         {
@@ -179,13 +177,15 @@ TEST_P(ShellPlaces, AndLooksAreTheSameBitsWithAvx2AndWithout)
             tile->colour[plane].fill(0);
         }
         shell.draw(order, {left, bottom, {0, 0, kTileEdge, kTileEdge}}, *tile);
+        drawsWithAvx2 = before;
         return tile;
     };
     for (int bottom = 0; bottom < 96; bottom += kTileEdge)
     {
         for (int left = 0; left < 160; left += kTileEdge)
         {
-            EXPECT_EQ(drawn(plain, left, bottom)->colour, drawn(other, left, bottom)->colour);
+            EXPECT_EQ(drawn(false, left, bottom)->colour,
+                      drawn(drawsWithAvx2, left, bottom)->colour);
         }
     }
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/lanes/has_avx2.hpp"
 #include "render/raster/lanes/tile_grid.hpp"
 #include "render/raster/shell/shell_raster.hpp"
 #include "support/pictures.hpp"
@@ -35,7 +34,7 @@ protected:
         shaded_ = shadeMesh(mesh_, positions_);
         edges_ = edgeStrengths(shaded_, glm::vec3(framing_.eye), false);
         shell_.emplace(shaded_, ShaderVariant{.fadingLines = true}, shellPalette(settings_.style),
-                       strokesFor(settings_), GetParam(), lanes::hasAvx2());
+                       strokesFor(settings_), GetParam());
         shell_->lookFrom(uniforms_, false, settings_.size, edges_);
     }
 
@@ -245,7 +244,7 @@ TEST_P(ShellSamples, ShowTheStatesOfNowAndNotThoseBefore)
     }
     shell_->setStates(states);
     ShellRaster anew(shaded_, {.fadingLines = true}, shellPalette(settings_.style),
-                     strokesFor(settings_), GetParam(), lanes::hasAvx2());
+                     strokesFor(settings_), GetParam());
     anew.setStates(states);
     anew.lookFrom(uniforms_, false, settings_.size, edges_);
     const std::vector<std::uint32_t> order = shell_->inDrawingOrder();
