@@ -101,10 +101,6 @@ struct LoadMeshOptions
 [[nodiscard]] double surfaceArea(const TriangleMesh& mesh);
 [[nodiscard]] Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh);
 
-/// Generalised winding number of the surface about a point: 1 inside and 0 outside a closed mesh
-/// wound outwards. The sum of signed solid angles [van Oosterom & Strackee 1983]. Takes O(#T).
-[[nodiscard]] double windingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& point);
-
 [[nodiscard]] MeshReport inspectMesh(const TriangleMesh& mesh);
 
 /// inspectMesh of a closed mesh, with an exact test for crossings. If there are any, the volume is

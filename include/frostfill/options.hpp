@@ -149,20 +149,33 @@ void impliesUntilFull(const Given& given, Scene& scene)
     }
 }
 
-/// Grains and a packing fraction imply that all spheres settle together, unless rest.mode is given.
-/// Returns the sentence that says so, or nothing.
+/// Grains and a packing fraction imply that all spheres settle together, unless rest.mode is given,
+/// and a fraction implies RestSettings::kHoldsFraction, unless rest.friction is given or nothing
+/// has to be held. Returns the sentence that says so, or nothing.
 template <class Given>
 std::string impliesJointRest(const Given& given, Scene& scene)
 {
+    RestSettings& rest = scene.rest;
     const bool isGranular = scene.motion.mode == Motion::granular;
-    if ((!isGranular && !scene.rest.fraction) || scene.rest.mode == Rest::joint ||
-        given.contains(&optionOf("rest.mode")))
+    std::string implied;
+    if ((isGranular || rest.fraction) && rest.mode != Rest::joint &&
+        !given.contains(&optionOf("rest.mode")))
+    {
+        rest.mode = Rest::joint;
+        implied = "--rest joint";
+    }
+    if (rest.mode == Rest::joint && rest.needsFriction() && rest.friction == 0 &&
+        !given.contains(&optionOf("rest.friction")))
+    {
+        rest.friction = RestSettings::kHoldsFraction;
+        implied += implied.empty() ? "--friction " : " and --friction ";
+        implied += optionText(optionOf("rest.friction"), rest.friction);
+    }
+    if (implied.empty())
     {
         return "";
     }
-    scene.rest.mode = Rest::joint;
-    return isGranular ? "--motion granular implies --rest joint"
-                      : "--fraction implies --rest joint";
+    return (rest.fraction ? "--fraction implies " : "--motion granular implies ") + implied;
 }
 
 } // namespace frostfill

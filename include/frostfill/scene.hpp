@@ -202,11 +202,17 @@ struct RestSettings
     /// & Mason 1960].
     static constexpr double kLoosest = 0.5;
     static constexpr double kDensest = 0.7;
+    /// The friction of spheres that a fraction implies: it holds all fractions between 0.59 and
+    /// 0.64.
+    static constexpr double kHoldsFraction = 0.3;
     /// [1] packing fraction of the bulk, beyond four radii from walls, to which all is compacted by
     /// flowing without friction; if not given, as it comes
     std::optional<double> fraction;
     double rollingFriction = 0; ///< [1] moment that resists rolling, over normal force and radius
     bool orientation = false;   ///< keep how spheres have turned, in columns of their own
+
+    /// Whether a fraction is asked for that only friction holds: the densest pile needs none.
+    [[nodiscard]] bool needsFriction() const { return fraction && fraction != kDensest; }
 };
 
 /// What is no longer tested (PAPER: equation 3 and covered polygons).

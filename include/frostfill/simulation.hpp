@@ -157,8 +157,6 @@ struct ReachInspection
 {
     /// False if the mesh is too large for this radius and memory.
     bool known = false;
-    /// A point in a hole through which such a sphere escapes; the other fields are then not valid.
-    std::optional<Eigen::Vector3d> leak;
     bool fits = false;      ///< at least one sphere fits
     double unreachable = 0; ///< [unit^3] that no sphere covers, edges included; a lower bound
     double resolution = 0;  ///< [unit] of the inspection
@@ -166,7 +164,7 @@ struct ReachInspection
     std::vector<UnreachableVolume> parts;
 };
 
-/// `mesh` may have holes. `bytes` limits the memory.
+/// `mesh` is closed and wound outwards. `bytes` limits the memory.
 [[nodiscard]] ReachInspection inspectReach(const TriangleMesh& mesh, double radius,
                                            std::size_t bytes = std::size_t{256} << 20);
 

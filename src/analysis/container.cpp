@@ -33,12 +33,14 @@ Container::Container(const TriangleMesh& mesh, double length)
 
 double Container::distanceToWall(const Eigen::Vector3d& p, double limit) const
 {
-    return std::sqrt(nearestWall(surface_, p, limit, 0).square);
+    const auto wall = nearestPoint(surface_.mesh(), surface_.tree(), p, limit);
+    return wall ? wall->distance : std::numeric_limits<double>::infinity();
 }
 
 Eigen::Vector3d Container::nearestWallPoint(const Eigen::Vector3d& p) const
 {
-    return nearestWall(surface_, p, std::numeric_limits<double>::infinity(), 0).point;
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return nearestPoint(surface_.mesh(), surface_.tree(), p, kInfinity)->point;
 }
 
 std::uint32_t Container::wallsWithin(const Eigen::Vector3d& p, double reach) const

@@ -20,7 +20,7 @@ public:
     Container(const TriangleMesh& mesh, double length);
 
     [[nodiscard]] bool contains(const Eigen::Vector3d& p) const { return inside_.contains(p); }
-    /// Infinite, or any distance beyond it, where none is within `limit`.
+    /// Infinite where none is within `limit`.
     [[nodiscard]] double
     distanceToWall(const Eigen::Vector3d& p,
                    double limit = std::numeric_limits<double>::infinity()) const;

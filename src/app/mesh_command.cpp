@@ -213,7 +213,7 @@ Command addMeshCommand(CLI::App& program)
         ->required();
     command
         ->add_option("--radius", arguments->radius,
-                     "Show the parts that spheres of this radius cannot reach, and leaks")
+                     "Show the parts that spheres of this radius cannot reach")
         ->check(CLI::Range(1e-12, 1e12))
         ->type_name("R");
     addSceneOptions(*command, arguments->load);

@@ -76,7 +76,7 @@ SweepRequest requestOf(const SweepArguments& arguments)
     return request;
 }
 
-/// "failed with 65: 'part.stl' leaks: ...".
+/// "failed with 65: 'part.stl' cannot be filled: ...".
 std::string reportText(const RunReport& report)
 {
     std::string text = statusName(report.status);

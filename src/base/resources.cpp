@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/resources.hpp"
 
+#include "base/read_number.hpp"
+
 #include <fmt/format.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -8,9 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -63,12 +63,7 @@ std::vector<std::filesystem::path> controlGroups(std::string_view controller,
 int fromEnvironment(const char* name)
 {
     const char* text = std::getenv(name);
-    int number = 0;
-    if (text != nullptr)
-    {
-        std::from_chars(text, text + std::strlen(text), number);
-    }
-    return std::max(0, number);
+    return text != nullptr ? std::max(0, readNumber<int>(text).value_or(0)) : 0;
 }
 
 /// Returns the cores that Slurm gives to each task, or else to the job on this node. Clusters that

@@ -123,8 +123,8 @@ private:
         if (!isInside || distance > 0)
         {
             const double limit = isInside ? distance : std::numeric_limits<double>::infinity();
-            const double wall = std::sqrt(nearestWall(bed_.surface(), p, limit, 0).square);
-            distance = isInside ? std::min(distance, wall) : -wall;
+            const auto wall = nearestPoint(bed_.surface().mesh(), bed_.surface().tree(), p, limit);
+            distance = wall ? (isInside ? 1 : -1) * wall->distance : distance;
         }
         field_.distance[voxel] = static_cast<float>(distance);
         field_.label[voxel] = isInside ? label : -1;

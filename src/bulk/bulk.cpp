@@ -70,8 +70,9 @@ Bulk::Bulk(const Surface& surface, const InsideTest& inside, Eigen::Index up, do
     threads.forEach(all.size(),
                     [&](std::size_t k)
                     {
-                        const WallPoint wall = nearestWall(surface, all[k], beyond, beyond);
-                        isFar[k] = wall.square > beyond * beyond ? 1 : 0;
+                        const auto wall =
+                            nearestPoint(surface.mesh(), surface.tree(), all[k], beyond);
+                        isFar[k] = wall ? 0 : 1;
                     });
     std::vector<Eigen::Vector3d> places;
     for (std::size_t k = 0; k < all.size(); ++k)

@@ -200,12 +200,6 @@ public:
     [[nodiscard]] bool isOne() const { return isOne_; }
     /// Those that have numbers, unless the grid is one brick.
     [[nodiscard]] const BrickTable& bricks() const { return bricks_; }
-    /// The first cell of a brick.
-    [[nodiscard]] GridPlace firstCell(std::size_t brick) const
-    {
-        const GridPlace& place = bricks_.place(brick);
-        return {place[0] * Length, place[1] * kSide, place[2] * kSide};
-    }
     /// Where the cell with this number lies.
     [[nodiscard]] GridPlace cell(std::size_t number) const
     {
@@ -216,10 +210,10 @@ public:
             return {static_cast<int>(number % static_cast<std::size_t>(count_[0])),
                     static_cast<int>(row % rows), static_cast<int>(row / rows)};
         }
-        const GridPlace first = firstCell(number / kInBrick);
+        const GridPlace& brick = bricks_.place(number / kInBrick);
         const auto rest = static_cast<int>(number % kInBrick);
-        return {first[0] + rest % Length, first[1] + rest / Length % kSide,
-                first[2] + rest / (Length * kSide)};
+        return {brick[0] * Length + rest % Length, brick[1] * kSide + rest / Length % kSide,
+                brick[2] * kSide + rest / (Length * kSide)};
     }
     [[nodiscard]] bool isInGrid(const GridPlace& cell) const
     {

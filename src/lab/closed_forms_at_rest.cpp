@@ -4,7 +4,6 @@
 #include "oracle/rest.hpp"
 #include "simulation/engine/make_engine.hpp"
 #include "simulation/motion/drop_and_roll.hpp"
-#include "simulation/motion/vertical_drop.hpp"
 
 #include <cmath>
 #include <limits>
@@ -140,13 +139,11 @@ void measureCorner(ClosedFormPoints& points)
 void measureThreeSpheres(ClosedFormPoints& points)
 {
     const auto world = room(cutBoxMesh({-8, -8, -8}, {8, 8, 8}));
-    FallIndex falls(world->spheres.resting(), world->triangles);
     for (const Eigen::Vector3d& p : oracle::threeTouching(-7))
     {
         world->spheres.addResting(p, 1, 0);
-        falls.insert(p);
     }
-    DropAndRoll descent(*world, falls);
+    DropAndRoll descent(*world);
     Eigen::Vector3d place(0.2, 0, 0.1);
     (void)descent.settle(place, 1);
     const Eigen::Vector3d expected(0, -7 + oracle::aboveThree(), 0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/program_peer.hpp"
 
-#include "base/program_talk.hpp"
+#include "lab/program_talk.hpp"
 #include "lab/rigid_body_run.hpp"
 #include "simulation/contact/contact.hpp"
 

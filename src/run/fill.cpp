@@ -154,21 +154,11 @@ FillPlan makePlan(const Scene& scene, const LoadedMesh& mesh, const Simulation& 
     return plan;
 }
 
-/// Throws Error badData for an object that spheres would leave.
-ReachInspection reachWithoutLeak(const Scene& scene, const Simulation& simulation)
+ReachInspection reachOf(const Simulation& simulation)
 {
     const MeshReport& object = simulation.object();
     const bool isThin = object.volume < kThin * object.box.volume();
-    ReachInspection reach = simulation.inspectReach(isThin ? kReachBytesOfThin : kReachBytes);
-    if (reach.leak)
-    {
-        throw Error(ErrorCode::badData,
-                    fmt::format("'{}' leaks: a sphere of radius {:.5g} escapes near ({:.6g} {:.6g} "
-                                "{:.6g}); close the hole there, or take a larger --radius",
-                                scene.object.mesh, simulation.smallestRadius(), reach.leak->x(),
-                                reach.leak->y(), reach.leak->z()));
-    }
-    return reach;
+    return simulation.inspectReach(isThin ? kReachBytesOfThin : kReachBytes);
 }
 
 /// The camera's path is kept as what its file says now.
@@ -335,7 +325,7 @@ FillPlan planFill(const FillRequest& asked, const FillObserver& observer)
     mesh.report = simulation.object();
     RunDirectory::check(request.directory, earlierFiles(request, resumes));
     const std::optional<CameraPath> path = CameraPath::of(request.scene);
-    const ReachInspection reach = reachWithoutLeak(request.scene, simulation);
+    const ReachInspection reach = reachOf(simulation);
     const RunLength length = estimatedLength(request.scene, mesh, simulation, observer);
     const FramePlan frames =
         planPictures(request.scene, mesh, length, nullptr, path ? path->duration() : 0);
@@ -371,7 +361,7 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     }
     const auto recorder = stoppableRecorder(request, mesh, simulation, path, observer);
     FillResult result;
-    result.reach = reachWithoutLeak(request.scene, simulation);
+    result.reach = reachOf(simulation);
     clock.end("preparing");
     SimulatedRun run;
     std::optional<KeptStates> states;

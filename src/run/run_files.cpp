@@ -131,8 +131,7 @@ Json reachJson(const ReachInspection& reach)
     {
         return nullptr;
     }
-    Json json = {{"leak", reach.leak ? pointJson(*reach.leak) : Json()},
-                 {"volume_unreachable", reach.unreachable},
+    Json json = {{"volume_unreachable", reach.unreachable},
                  {"resolution", reach.resolution},
                  {"parts", Json::array()}};
     for (const UnreachableVolume& part : reach.parts)

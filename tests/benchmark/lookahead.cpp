@@ -43,8 +43,8 @@ Fill fillCube(double radius, int threadCount)
     scene.discard.rule = DiscardRule::none;
     World world(scene, builtInMesh("cube"));
     Threads threads(threadCount);
-    RestObservers observers(world, world.height, threads);
-    const DropAndRoll descent(world, observers.falls);
+    const std::unique_ptr<ReleasePart> release = makeRelease(world, world.height, threads);
+    const DropAndRoll descent(world);
     ReleaseQuery query = queryOfRest(descent, threads.concurrency());
     std::atomic<std::size_t> paths = 0;
     Fill fill;
@@ -58,10 +58,10 @@ Fill fillCube(double radius, int threadCount)
         return rests;
     };
     const auto start = std::chrono::steady_clock::now();
-    while (const auto found = observers.release->next(query))
+    while (const auto found = release->next(query))
     {
         world.spheres.addResting(found->place, found->radius, 0);
-        observers.add(found->place, found->radius);
+        release->close(found->place, found->radius);
     }
     fill.all = secondsSince(start);
     fill.spheres = world.spheres.size();

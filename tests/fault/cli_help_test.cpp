@@ -215,6 +215,18 @@ TEST_F(HelpCommands, WhatFollowsFromAnOptionIsSaidInALine)
     EXPECT_NE(fraction.errors.find("frostfill: --fraction implies --rest joint\n"),
               std::string::npos)
         << fraction.errors;
+    const Answer alone = run("fill cube --radius 0.1 --count 200 --fraction 0.6 --dry-run");
+    EXPECT_EQ(alone.code, 0) << alone.errors;
+    EXPECT_NE(alone.errors.find("frostfill: --fraction implies --rest joint and --friction 0.3\n"),
+              std::string::npos)
+        << alone.errors;
+    const Answer held = run("fill cube --radius 0.1 --rest joint --fraction loosest "
+                            "--motion granular --dry-run");
+    EXPECT_NE(held.errors.find("frostfill: --fraction implies --friction 0.3\n"), std::string::npos)
+        << held.errors;
+    EXPECT_EQ(run("fill cube --radius 0.1 --fraction densest --dry-run").errors.find("friction"),
+              std::string::npos);
+    EXPECT_EQ(run("fill cube --radius 0.1 --fraction 0.6 --friction 0 --dry-run").code, 64);
     EXPECT_EQ(run(grains + "--motion granular --rest each").code, 64);
     EXPECT_EQ(run(grains + "--rest joint --friction 0.3").errors.find("implies"),
               std::string::npos);

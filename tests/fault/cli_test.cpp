@@ -159,7 +159,7 @@ TEST_F(CommandLine, MeshTellsWhatARadiusCannotReach)
 {
     const Answer hands = run("mesh human --radius 0.05");
     EXPECT_EQ(hands.code, 0);
-    EXPECT_NE(hands.output.find("no leak"), std::string::npos) << hands.output;
+    EXPECT_NE(hands.output.find("is too narrow"), std::string::npos) << hands.output;
     EXPECT_NE(hands.output.find("out of reach: volume"), std::string::npos) << hands.output;
     // The parts that are listed are among what is out of reach, which is less than all.
     const auto numberAfter = [&](const std::string& words, std::size_t from)
@@ -169,7 +169,7 @@ TEST_F(CommandLine, MeshTellsWhatARadiusCannotReach)
             at, at == std::string::npos ? 0 : std::stod(hands.output.substr(at + words.size())));
     };
     const double volume = numberAfter("  volume      ", 0).second;
-    const double share = numberAfter("no leak; at least ", 0).second / 100;
+    const double share = numberAfter("reach: at least ", 0).second / 100;
     double listed = 0;
     for (auto [at, part] = numberAfter("out of reach: volume ", 0); at != std::string::npos;
          std::tie(at, part) = numberAfter("out of reach: volume ", at + 1))
@@ -179,7 +179,7 @@ TEST_F(CommandLine, MeshTellsWhatARadiusCannotReach)
     EXPECT_GT(listed, 0);
     EXPECT_GE(share * volume, 0.99 * listed);
     EXPECT_LT(share, 0.5);
-    EXPECT_NE(run("mesh sphere --radius 0.999").output.find("no leak"), std::string::npos);
+    EXPECT_NE(run("mesh sphere --radius 0.999").output.find("is too narrow"), std::string::npos);
     EXPECT_NE(run("mesh sphere --radius 1.1").output.find("no sphere"), std::string::npos);
     EXPECT_EQ(run("mesh sphere --radius 0").code, 64);
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/paths.hpp"
+#include "support/winding_number.hpp"
 
 #include <frostfill/mesh.hpp>
 #include <frostfill/simulation.hpp>

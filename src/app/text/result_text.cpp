@@ -22,19 +22,13 @@ std::string reachText(const ReachInspection& reach, double radius, double volume
             "reach of radius {:.5g}: not examined, the object is too large for this radius\n",
             radius);
     }
-    if (reach.leak)
-    {
-        return fmt::format("leak: a sphere of radius {:.5g} escapes near {:.5g} {:.5g} {:.5g}; "
-                           "close the hole or choose a larger radius\n",
-                           radius, reach.leak->x(), reach.leak->y(), reach.leak->z());
-    }
     if (!reach.fits)
     {
         return fmt::format("reach: no sphere of radius {:.5g} fits; choose a smaller radius\n",
                            radius);
     }
     std::string text =
-        fmt::format("reach: no leak; at least {:.3g} % of the volume is too narrow for radius "
+        fmt::format("reach: at least {:.3g} % of the volume is too narrow for radius "
                     "{:.5g}, {} {} larger than a sphere\n",
                     100 * reach.unreachable / volume, radius, reach.parts.size(),
                     reach.parts.size() == 1 ? "part" : "parts");

@@ -235,32 +235,4 @@ SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
     return nearestDistance(surface, ids, p);
 }
 
-WallPoint nearestWall(const Surface& surface, const Eigen::Vector3d& p, double distance,
-                      double enough)
-{
-    const Beyond beyond(surface, p);
-    WallPoint nearest;
-    double limit = distance;
-    surface.tree().forEachTriangleNear(p, limit,
-                                       [&](std::uint32_t id)
-                                       {
-                                           if (nearest.square < enough * enough)
-                                           {
-                                               return 0.0;
-                                           }
-                                           const auto& [a, b, c] = surface[id].corner;
-                                           const Eigen::Vector3d point =
-                                               closestPointOnTriangle(p, a, b, c).point;
-                                           const double square = (p - point).squaredNorm();
-                                           if (square < nearest.square)
-                                           {
-                                               nearest = {square, point};
-                                               limit =
-                                                   std::min(distance, beyond(std::sqrt(square)));
-                                           }
-                                           return limit;
-                                       });
-    return nearest;
-}
-
 } // namespace frostfill

@@ -196,15 +196,4 @@ nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,
 [[nodiscard]] SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p,
                                              double distance);
 
-struct WallPoint
-{
-    double square = std::numeric_limits<double>::infinity(); ///< of the distance
-    Eigen::Vector3d point;
-};
-
-/// The nearest point of all triangles, or any that is nearer than `enough`. Where none is within
-/// `distance` of p, one beyond it, or none.
-[[nodiscard]] WallPoint nearestWall(const Surface& surface, const Eigen::Vector3d& p,
-                                    double distance, double enough);
-
 } // namespace frostfill

@@ -105,8 +105,9 @@ public:
         bvh_.centre_ = box.center();
         bvh_.scale_ = size > 0 ? 1 / size : 1;
         bvh_.starts_.push_back(0);
-        const auto [nodes, leaves] = countsOf(bvh_.order_, true);
-        bvh_.nodes_.reserve(nodes); // arrays that grow are half empty, and for a while there twice
+        // Leaves have two triangles and more. What is set aside and not used takes no memory.
+        const std::size_t leaves = bvh_.order_.size() / 2 + 1;
+        bvh_.nodes_.reserve(leaves);
         bvh_.leaves_.reserve(leaves);
         bvh_.starts_.reserve(leaves + 1);
         build(bvh_.order_, true);
@@ -138,24 +139,6 @@ private:
         const bool oneLevel = isRoot && levels % 2 == 1;
         forEachHalf(triangles, [&](Triangles half)
                     { oneLevel || isLeaf(half) ? visit(half) : forEachHalf(half, visit); });
-    }
-
-    struct Counts
-    {
-        std::size_t nodes;
-        std::size_t leaves;
-    };
-    static Counts countsOf(Triangles triangles, bool isRoot)
-    {
-        Counts counts{1, 0};
-        forEachChild(triangles, isRoot,
-                     [&](Triangles child)
-                     {
-                         const Counts below = isLeaf(child) ? Counts{0, 1} : countsOf(child, false);
-                         counts.nodes += below.nodes;
-                         counts.leaves += below.leaves;
-                     });
-        return counts;
     }
 
     /// Returns the box around all below the node.
@@ -342,22 +325,19 @@ std::optional<NearestPoint> nearestPoint(const TriangleMesh& mesh, const Triangl
 {
     std::optional<NearestPoint> found;
     double least = within * within;
-    const auto visit = [&](std::span<const std::uint32_t> triangles)
+    const auto visit = [&](std::uint32_t triangle)
     {
-        for (const std::uint32_t triangle : triangles)
+        const auto [a, b, c] = cornersOf(mesh, triangle);
+        const Eigen::Vector3d point = closestPointOnTriangle(p, a, b, c).point;
+        const double square = (point - p).squaredNorm();
+        if (square < least || (found && square == least && triangle < found->triangle))
         {
-            const auto [a, b, c] = cornersOf(mesh, triangle);
-            const Eigen::Vector3d point = closestPointOnTriangle(p, a, b, c).point;
-            const double square = (point - p).squaredNorm();
-            if (square < least || (found && square == least && triangle < found->triangle))
-            {
-                least = square;
-                found = {point, triangle, std::sqrt(square)};
-            }
+            least = square;
+            found = {point, triangle, std::sqrt(square)};
         }
         return std::sqrt(least);
     };
-    bvh.forEachNear(Eigen::AlignedBox3d(p), within, visit);
+    bvh.forEachTriangleNear(p, within, visit);
     return found;
 }
 

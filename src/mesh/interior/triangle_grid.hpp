@@ -61,7 +61,7 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> cell(int x, int y, int z) const
     {
         const std::size_t number = cells_.find(x, y, z);
-        return number == Cells::kNone ? std::span<const std::uint32_t>{} : ofCell(number);
+        return number == Cells::kNone ? std::span<const std::uint32_t>{} : lists_[number];
     }
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
     [[nodiscard]] double reach() const { return reach_; }
@@ -72,25 +72,6 @@ public:
     using Cells = BrickedCells<>;
     /// Bricks with triangles, never one for all: most of a grid is away from the surface.
     [[nodiscard]] const Cells& cells() const { return cells_; }
-    /// The same as cell(), by its number.
-    [[nodiscard]] std::span<const std::uint32_t> ofCell(std::size_t number) const
-    {
-        return lists_[number];
-    }
-
-    /// Calls visit(x, y, z) for each cell with triangles, brick by brick.
-    template <class Visit>
-    void forEachCellWithTriangles(Visit&& visit) const
-    {
-        for (std::size_t number = 0; number < cells_.size(); ++number)
-        {
-            if (!ofCell(number).empty())
-            {
-                const auto [x, y, z] = cells_.cell(number);
-                visit(x, y, z);
-            }
-        }
-    }
 
 private:
     const Surface* surface_;

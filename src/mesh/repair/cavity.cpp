@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geometry/closest_point.hpp"
+#include "geometry/grid_frame.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 #include <frostfill/mesh.hpp>
@@ -7,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -32,16 +34,14 @@ constexpr std::size_t kMaxLooks = 100'000'000;
 class Cells
 {
 public:
-    Cells(const Eigen::AlignedBox3d& box, double edge) : low_(box.min()), edge_(edge)
+    Cells(const Eigen::AlignedBox3d& box, double edge)
+        : frame_(GridFrame::cover(box, edge, kMargin * edge))
     {
-        const Eigen::Vector3d counts = (box.sizes() / edge).array().ceil() + 2 * kMargin;
-        if (counts.prod() > kMaxCells)
+        const auto& [x, y, z] = frame_.count;
+        if (static_cast<double>(x) * y * z <= kMaxCells)
         {
-            return;
+            state_.assign(frame_.size(), kFree);
         }
-        low_ -= Eigen::Vector3d::Constant(kMargin * edge);
-        counts_ = counts.cast<int>();
-        state_.assign(static_cast<std::size_t>(counts_.prod()), kFree);
     }
 
     /// Marks the cubes near all triangles. False when there are too many cubes, or that would take
@@ -61,25 +61,27 @@ public:
     [[nodiscard]] bool block(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                              const Eigen::Vector3d& c)
     {
-        const double reach = std::sqrt(0.75) * edge_;
-        const Eigen::Array3d low = a.cwiseMin(b).cwiseMin(c).array() - reach;
-        const Eigen::Array3d high = a.cwiseMax(b).cwiseMax(c).array() + reach;
-        const Eigen::Array3i first = cell(low).max(0);
-        const Eigen::Array3i last = cell(high).min(counts_ - 1);
-        looks_ += static_cast<std::size_t>((last - first + 1).cast<double>().prod());
+        const double reach = kHalfDiagonal * frame_.cell;
+        const auto first = frame_.coordinates(a.cwiseMin(b).cwiseMin(c).array() - reach);
+        const auto last = frame_.coordinates(a.cwiseMax(b).cwiseMax(c).array() + reach);
+        std::size_t looks = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            looks *= static_cast<std::size_t>(last[axis] - first[axis] + 1);
+        }
+        looks_ += looks;
         if (looks_ > kMaxLooks)
         {
             return false;
         }
-        for (int z = first.z(); z <= last.z(); ++z)
+        for (int z = first[2]; z <= last[2]; ++z)
         {
-            for (int y = first.y(); y <= last.y(); ++y)
+            for (int y = first[1]; y <= last[1]; ++y)
             {
-                for (int x = first.x(); x <= last.x(); ++x)
+                for (int x = first[0]; x <= last[0]; ++x)
                 {
-                    char& state = state_[index(x, y, z)];
-                    const Eigen::Vector3d middle =
-                        low_ + edge_ * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5);
+                    char& state = state_[frame_.index(x, y, z)];
+                    const Eigen::Vector3d middle = frame_.centre(x, y, z);
                     if (state == kFree &&
                         (closestPointOnTriangle(middle, a, b, c).point - middle).norm() <= reach)
                     {
@@ -98,15 +100,15 @@ public:
     {
         for (int step = 1; step <= kStepsToRoom; ++step)
         {
-            const Eigen::Array3i at = cell((middle + step * edge_ * normal).array());
-            if ((at < 0).any() || (at >= counts_).any())
+            const Eigen::Vector3d place = middle + step * frame_.cell * normal;
+            if (!frame_.contains(place))
             {
                 return false;
             }
-            char& state = state_[index(at.x(), at.y(), at.z())];
+            char& state = state_[frame_.index(place)];
             if (state == kFree)
             {
-                state = wallsAround(at) >= kWallsOfRoom ? kRoom : kOutside;
+                state = wallsAround(frame_.coordinates(place)) >= kWallsOfRoom ? kRoom : kOutside;
             }
             if (state != kBlocked)
             {
@@ -124,16 +126,17 @@ private:
     static constexpr char kOutside = 3;
 
     /// Of the 26 directions to neighbours, those in which a blocked cube lies.
-    [[nodiscard]] int wallsAround(const Eigen::Array3i& from) const
+    [[nodiscard]] int wallsAround(const std::array<int, 3>& from) const
     {
+        const Eigen::Array3i count(frame_.count[0], frame_.count[1], frame_.count[2]);
         int walls = 0;
         for (int direction = 0; direction < 27; ++direction)
         {
             const Eigen::Array3i step(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
-            Eigen::Array3i at = from + step;
-            while (direction != 13 && (at >= 0).all() && (at < counts_).all())
+            Eigen::Array3i at = Eigen::Array3i(from[0], from[1], from[2]) + step;
+            while (direction != 13 && (at >= 0).all() && (at < count).all())
             {
-                if (state_[index(at.x(), at.y(), at.z())] == kBlocked)
+                if (state_[frame_.index(at.x(), at.y(), at.z())] == kBlocked)
                 {
                     ++walls;
                     break;
@@ -144,19 +147,8 @@ private:
         return walls;
     }
 
-    [[nodiscard]] Eigen::Array3i cell(const Eigen::Array3d& p) const
-    {
-        return ((p - low_.array()) / edge_).floor().cast<int>();
-    }
-    [[nodiscard]] std::size_t index(int x, int y, int z) const
-    {
-        return (static_cast<std::size_t>(z) * counts_.y() + y) * counts_.x() + x;
-    }
-
-    Eigen::Vector3d low_;
-    double edge_;
+    GridFrame frame_;
     std::size_t looks_ = 0;
-    Eigen::Array3i counts_ = Eigen::Array3i::Zero();
     std::vector<char> state_;
 };
 

@@ -46,7 +46,7 @@ void validateRest(const Scene& scene)
              "only grains come in as loosely as friction lets them "
              "(rest.fraction, --fraction loosest): give motion.mode "
              "(--motion) granular");
-    refuseIf(rest.fraction && rest.fraction != RestSettings::kDensest && rest.friction == 0,
+    refuseIf(rest.needsFriction() && rest.friction == 0,
              "only friction holds spheres at a packing fraction "
              "(rest.fraction, --fraction) that is asked for: give "
              "rest.friction (--friction), such as 0.3");

@@ -100,26 +100,14 @@ private:
 };
 
 // Where no wall is within a radius, the whole way of a move to there that is shorter than that has
-// none: both its ends are on one side. Moves that come back to where they have been lead nowhere:
-// every so often a place is remembered [Brent 1980].
+// none: both its ends are on one side.
 bool depenetrateFrom(const World& world, const Obstacles& obstacles, Eigen::Vector3d& p,
                      double radius, double farthest, int moves, bool isInside)
 {
     const bool sidesAreKnown = !world.surface.anyTwoSided();
     const Eigen::Vector3d start = p;
-    Eigen::Vector3d remembered = p;
-    long long nextToRemember = 1;
     for (int move = 0; move < moves; ++move)
     {
-        if (move > 0 && p == remembered)
-        {
-            return false;
-        }
-        if (move == nextToRemember)
-        {
-            remembered = p;
-            nextToRemember *= 2;
-        }
         Push push;
         if (!pushOffWalls(world, p, radius, isInside && sidesAreKnown, push))
         {

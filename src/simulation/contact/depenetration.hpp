@@ -22,7 +22,7 @@ enum class Start
 /// the answer stays the same, bit for bit.
 inline void addSeen(Eigen::AlignedBox3d& box, const Eigen::Vector3d& p, double distance)
 {
-    const double reach = distance + 1 + kSeenBeyond;
+    const double reach = distance + 1 + kClearance;
     box.extend(Eigen::Vector3d(p.array() - reach));
     box.extend(Eigen::Vector3d(p.array() + reach));
 }

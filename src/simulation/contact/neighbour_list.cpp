@@ -74,48 +74,18 @@ void NeighbourList::listTriangles(const World& world, const Eigen::Vector3d& p, 
     world.surface.tree().forEachTriangleNear(p, distance, takeUnlessMany);
     if (triangles_.size() > kMostListed)
     {
-        dense_ = &world.surface;
-        foundWithin_ = -1; // what was found so far is not all
-        hasInnerSkin_ = true;
+        dense_ = &world.surface; // what was found so far is not all
         return;
     }
     std::sort(triangles_.begin(), triangles_.end());
 }
 
-// On a short way the sphere will soon ask for about the same again: what is a little farther is
-// found with it, as far as a list would have it.
 void NeighbourList::findInTree(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                double distance)
 {
-    const double known = foundWithin_ - distance;
-    if (known >= 0 && isWithin(from, foundAround_, known) && isWithin(to, foundAround_, known))
-    {
-        return;
-    }
     triangles_.clear();
     const auto take = [this](std::uint32_t triangle) { triangles_.push_back(triangle); };
-    const TriangleBvh& tree = dense_->tree();
-    const Eigen::Vector3d middle = (from + to) / 2;
-    const double ball = distance + (to - from).norm() / 2;
-    const double listed = radius_ + skin_ - (middle - centre_).norm();
-    const double within = std::min(ball + kInnerSkin, listed);
-    if (hasInnerSkin_ && ball <= distance + kInnerSkin && within > ball)
-    {
-        foundAround_ = middle;
-        foundWithin_ = within;
-        tree.forEachTriangleNear(middle, within,
-                                 [&](std::uint32_t triangle)
-                                 {
-                                     take(triangle);
-                                     return within;
-                                 });
-        hasInnerSkin_ = triangles_.size() <= kMostWithSkin;
-    }
-    else
-    {
-        foundWithin_ = -1;
-        tree.forEachTriangleOnWay(from, to, distance, take);
-    }
+    dense_->tree().forEachTriangleOnWay(from, to, distance, take);
     std::sort(triangles_.begin(), triangles_.end());
 }
 

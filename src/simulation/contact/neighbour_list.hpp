@@ -70,12 +70,6 @@ private:
     /// longer. Larger: those of scans.
     static constexpr std::size_t kMostListed = 64;
 
-    /// Skin around what is found in the tree, as kSkin is around a list. [r] Larger: more triangles
-    /// to test. Smaller: more searches.
-    static constexpr double kInnerSkin = 0.1;
-    /// Triangles with that skin, above which a search for what is asked alone costs less.
-    static constexpr std::size_t kMostWithSkin = 48;
-
     void listTriangles(const World& world, const Eigen::Vector3d& p, double distance);
     void findInTree(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double distance);
 
@@ -85,9 +79,6 @@ private:
     std::vector<Ball> spheres_;
     std::vector<std::uint32_t> triangles_; ///< all, or of a dense surface those last found
     const Surface* dense_ = nullptr;       ///< where they are many
-    Eigen::Vector3d foundAround_ = Eigen::Vector3d::Zero();
-    double foundWithin_ = -1;  ///< of that: which triangles are known [r]
-    bool hasInnerSkin_ = true; ///< what is found, of the list of now
 };
 
 } // namespace frostfill

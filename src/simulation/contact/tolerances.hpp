@@ -32,14 +32,10 @@ inline constexpr double kTouch = 1e-7;
 /// piles never freeze together.
 inline constexpr double kCarryingGap = 0.005;
 
-/// By how much a place found is clear of everything. [r] Larger: spheres lose their contacts when
-/// they are moved. Smaller: rounding may overlap them.
+/// By how much a place found is clear of everything, and by how much farther than an answer has
+/// looked its box reaches. [r] Larger: spheres lose their contacts when they are moved. Smaller:
+/// rounding may overlap them, or hide that an answer has changed.
 inline constexpr double kClearance = 1e-9;
-
-/// So much farther than an answer has looked its box reaches, for the rounding of sums taken in
-/// another order. [r] Larger: answers that have not changed are computed again. Smaller: an answer
-/// that has changed by a bit may be kept.
-inline constexpr double kSeenBeyond = 1e-9;
 
 // Carrying: the share of the weight that a sphere's contacts may leave. It grows from kSettled,
 // with which a sphere is frozen, over kCarried, with which it stays at rest, to the 0.1 of the

@@ -27,8 +27,8 @@ ReleaseQuery queryOfRest(const DropAndRoll& dropAndRoll, std::size_t threads)
 }
 
 DropAndRollEngine::DropAndRollEngine(World& world)
-    : world_(world), threads_(world.scene.threads), observers_(world, world.height, threads_),
-      dropAndRoll_(world, observers_.falls),
+    : world_(world), threads_(world.scene.threads),
+      release_(makeRelease(world, world.height, threads_)), dropAndRoll_(world),
       query_(queryOfRest(dropAndRoll_, threads_.concurrency()))
 {
     query_.stop = &world.stop;
@@ -37,7 +37,7 @@ DropAndRollEngine::DropAndRollEngine(World& world)
                                      expectedCount(world) / kMaxSets);
     stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMaxSets);
     world.clock.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
-    if (world.spheres.size() == 0 && !observers_.release->any())
+    if (world.spheres.size() == 0 && !release_->any())
     {
         refuseTooLarge(world);
     }
@@ -69,7 +69,7 @@ bool DropAndRollEngine::step()
     ++world_.clock.steps;
     if (noPlace)
     {
-        endForWantOfPlaces(world_, *observers_.release);
+        endForWantOfPlaces(world_, *release_);
     }
     world_.clock.finished = noPlace || wantedOfSet(world_, 1) == 0;
     world_.clock.time += kTimeOfSet * static_cast<double>(placed) / static_cast<double>(setSize_);
@@ -84,7 +84,7 @@ bool DropAndRollEngine::step()
 // Returns false when no place is left.
 bool DropAndRollEngine::placeOne()
 {
-    const auto found = observers_.release->next(query_);
+    const auto found = release_->next(query_);
     if (found)
     {
         rest(found->place, found->radius);
@@ -96,7 +96,7 @@ void DropAndRollEngine::rest(const Eigen::Vector3d& place, double radius)
 {
     const auto group = static_cast<std::uint32_t>(world_.spheres.size() / groupSize(world_));
     world_.spheres.addResting(place, radius, group);
-    observers_.add(place, radius);
+    release_->close(place, radius);
 }
 
 void DropAndRollEngine::releaseAt(std::span<const PlacedSphere> spheres)

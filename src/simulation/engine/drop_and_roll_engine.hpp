@@ -28,7 +28,7 @@ private:
 
     World& world_;
     Threads threads_;
-    RestObservers observers_;
+    std::unique_ptr<ReleasePart> release_;
     DropAndRoll dropAndRoll_;
     ReleaseQuery query_;
     SetRecorder clock_;

@@ -60,19 +60,20 @@ int sweeps(const World& world)
 
 FastEngine::FastEngine(World& world)
     : world_(world), running_(world.spheres.running()), threads_(world.scene.threads),
-      grid_(world.spheres.resting().frame()), observers_(world, releaseBand(world), threads_),
+      grid_(world.spheres.resting().frame()),
+      release_(makeRelease(world, releaseBand(world), threads_)),
       flight_(world, {.restitution = {world.scene.motion.restitution},
                       .rolling = RollingLaw::of(world.scene)}),
-      dropAndRoll_(world, observers_.falls), sets_(world, ageLimit(world)),
+      dropAndRoll_(world), sets_(world, ageLimit(world)),
       solver_(running_, flight_, threads_,
               {.restitution = {world.scene.motion.restitution},
                .sweeps = sweeps(world),
                .stiff = !sets_.keepsSets(),
                .usualRadius = world.radii.curve() ? usualRadius(world) : 1,
                .dt = timeStep(world)}),
-      freezer_(world, grid_, observers_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
+      freezer_(world, grid_, release_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
 {
-    if (world.spheres.size() == 0 && !observers_.release->any())
+    if (world.spheres.size() == 0 && !release_->any())
     {
         refuseTooLarge(world);
     }
@@ -131,7 +132,7 @@ std::size_t FastEngine::release(std::size_t wanted)
         world_.spheres.add(sphere.place, sphere.radius, sets_.groupOf(found++));
         energy_.reset();
     };
-    return releaseAmong(running_, grid_, wanted, *observers_.release, query, world_.stop, appear);
+    return releaseAmong(running_, grid_, wanted, *release_, query, world_.stop, appear);
 }
 
 // Those that overlap are taken apart first, so that they do not start by flying apart.
@@ -230,7 +231,7 @@ void FastEngine::freezeAndWake()
     {
         // Places were closed for good where something has been at rest; now they are looked for
         // anew, for spheres that find no room where they are.
-        observers_.release = makeRelease(world_, -1, threads_);
+        release_ = makeRelease(world_, -1, threads_);
     }
     if (waker_.wakeWhenDue())
     {
@@ -241,7 +242,7 @@ void FastEngine::freezeAndWake()
 
 void FastEngine::finish()
 {
-    endForWantOfPlaces(world_, *observers_.release);
+    endForWantOfPlaces(world_, *release_);
     world_.clock.finished = true;
     sets_.closeRecord();
 }

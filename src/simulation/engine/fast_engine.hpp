@@ -44,8 +44,8 @@ private:
     World& world_;
     RunningSpheres& running_;
     Threads threads_;
-    SphereGrid grid_;         ///< of the runners
-    RestObservers observers_; ///< where falls end, and where spheres can appear
+    SphereGrid grid_; ///< of the runners
+    std::unique_ptr<ReleasePart> release_;
     FreeFlight flight_;
     DropAndRoll dropAndRoll_;
     SetSchedule sets_;

@@ -75,9 +75,6 @@ inline constexpr double kDragOfLoosePour = 10;
 
 // Where spheres appear.
 
-/// Below the highest ceiling, in which falls begin [r]. Larger: spheres appear in sight, lower
-/// down. Smaller: fewer find room at once.
-inline constexpr double kTopBand = 4;
 /// A sphere that the user places in a wall is moved by less [r]. Larger: spheres end up far from
 /// where they were put. Smaller: places are refused that a small correction would mend.
 inline constexpr double kFarRelease = 4;

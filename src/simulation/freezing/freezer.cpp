@@ -14,11 +14,11 @@
 namespace frostfill
 {
 
-Freezer::Freezer(World& world, SphereGrid& grid, RestObservers& observers, FreeFlight& flight,
-                 PositionSolver& solver, Threads& threads, double ageLimit)
-    : world_(world), running_(world.spheres.running()), grid_(grid), observers_(observers),
-      flight_(flight), solver_(solver), threads_(threads), dropAndRoll_(world, observers.falls),
-      island_(running_, flight, solver.pairs(), threads), resolver_(world, grid, flight, observers),
+Freezer::Freezer(World& world, SphereGrid& grid, const std::unique_ptr<ReleasePart>& release,
+                 FreeFlight& flight, PositionSolver& solver, Threads& threads, double ageLimit)
+    : world_(world), running_(world.spheres.running()), grid_(grid), release_(release),
+      flight_(flight), solver_(solver), threads_(threads), dropAndRoll_(world),
+      island_(running_, flight, solver.pairs(), threads), resolver_(world, grid, flight, release),
       support_(world), ageLimit_(ageLimit), layer_(spheresInLayer(world)),
       watch_(running_, [this](std::uint32_t row, RestWatch& watch)
              { watch = {.start = running_.position[row]}; })
@@ -226,7 +226,7 @@ void Freezer::tryFreeze(std::uint32_t row, bool insist)
     world_.counts.overdue += tooOld ? 1 : 0;
     frozen_.push_back({atRest, watch_[row].age, tooOld, insist});
     // Its id may have changed: one that was withdrawn has left its own to the last sphere.
-    observers_.add(resting.place, resting.radius);
+    release_->close(resting.place, resting.radius);
     tell(resting.place, resting.radius);
 }
 

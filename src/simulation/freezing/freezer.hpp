@@ -24,9 +24,9 @@ namespace frostfill
 class Freezer
 {
 public:
-    /// Everything given outlives this. `ageLimit`: see SetSchedule.
-    Freezer(World& world, SphereGrid& grid, RestObservers& observers, FreeFlight& flight,
-            PositionSolver& solver, Threads& threads, double ageLimit);
+    /// Everything given outlives this; the release may be replaced. `ageLimit`: see SetSchedule.
+    Freezer(World& world, SphereGrid& grid, const std::unique_ptr<ReleasePart>& release,
+            FreeFlight& flight, PositionSolver& solver, Threads& threads, double ageLimit);
 
     /// To be called in each step for each runner after its flight, on any thread: it is older by
     /// `dt` at most.
@@ -63,7 +63,7 @@ private:
     World& world_;
     RunningSpheres& running_;
     SphereGrid& grid_;
-    RestObservers& observers_;
+    const std::unique_ptr<ReleasePart>& release_;
     FreeFlight& flight_;
     PositionSolver& solver_;
     Threads& threads_;

@@ -59,7 +59,7 @@ void OverlapResolver::evict()
         {
             put(k, clear);
         }
-        else if (const auto elsewhere = observers_.release->place(radius, query))
+        else if (const auto elsewhere = release_->place(radius, query))
         {
             running_.restart(k, *elsewhere);
             grid_.move(k, *elsewhere);

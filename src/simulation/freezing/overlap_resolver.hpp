@@ -15,9 +15,10 @@ namespace frostfill
 class OverlapResolver
 {
 public:
-    OverlapResolver(World& world, SphereGrid& grid, FreeFlight& flight, RestObservers& observers)
+    OverlapResolver(World& world, SphereGrid& grid, FreeFlight& flight,
+                    const std::unique_ptr<ReleasePart>& release)
         : world_(world), running_(world.spheres.running()), grid_(grid), flight_(flight),
-          observers_(observers)
+          release_(release)
     {
     }
 
@@ -42,7 +43,7 @@ private:
     RunningSpheres& running_;
     SphereGrid& grid_;
     FreeFlight& flight_;
-    RestObservers& observers_;
+    const std::unique_ptr<ReleasePart>& release_;
     std::vector<std::uint32_t> overlapped_;
     std::vector<Eigen::Vector3d> to_; ///< where those can be put
 };

@@ -5,6 +5,7 @@
 #include "simulation/contact/depenetration.hpp"
 #include "simulation/contact/sphere_cast.hpp"
 #include "simulation/motion/tolerances.hpp"
+#include "simulation/motion/vertical_drop.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +70,7 @@ bool DropAndRoll::fall(Eigen::Vector3d& p, const Path& path, const Eigen::Vector
 
 bool DropAndRoll::drop(Eigen::Vector3d& p, double radius, Eigen::AlignedBox3d* seen) const
 {
-    const std::optional<double> y = contactBelow(world_, falls_, p, radius);
+    const std::optional<double> y = contactBelow(world_, p, radius);
     if (seen != nullptr)
     {
         addSeen(*seen, p, radius);

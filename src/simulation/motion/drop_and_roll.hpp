@@ -2,7 +2,6 @@
 #pragma once
 
 #include "simulation/contact/neighbour_list.hpp"
-#include "simulation/motion/vertical_drop.hpp"
 #include "simulation/world/world.hpp"
 
 #include <limits>
@@ -18,15 +17,15 @@ namespace frostfill
 class DropAndRoll
 {
 public:
-    DropAndRoll(const World& world, const FallIndex& falls) : world_(world), falls_(falls) {}
+    explicit DropAndRoll(const World& world) : world_(world) {}
 
     /// `p` is a place that is clear of everything. Returns true when a place was found that carries
     /// the sphere: what gravity has left of its weight is below the tolerance. False when the
     /// sphere got stuck in a wedge on the way.
-    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius)
+    [[nodiscard]] bool settle(Eigen::Vector3d& p, double radius) const
     {
-        around_.invalidate();
-        return settle(p, radius, around_);
+        NeighbourList around;
+        return settle(p, radius, around);
     }
     /// The same with a neighbourhood of the caller's, which is up to date or invalid. False also
     /// when the place would be farther than `farthest` from p. Several threads may settle spheres
@@ -54,8 +53,6 @@ private:
                const Eigen::Vector3d& pull, double& longest) const;
 
     const World& world_;
-    const FallIndex& falls_;
-    NeighbourList around_;
 };
 
 } // namespace frostfill

@@ -159,7 +159,7 @@ PaperEngine::PaperEngine(World& world)
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
                   spheres_ ? &*spheres_ : nullptr),
-      release_(makeRelease(world, kPaperTopBand, threads_)), rest_(restMonitor(world)),
+      release_(makeRelease(world, kTopBand, threads_)), rest_(restMonitor(world)),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
     world.clock.dt = chooseTimeStep(world);

@@ -44,9 +44,6 @@ inline constexpr double kPaperLongestStep = 0.1;
 /// Approaches slower than gravity makes in this many steps do not bounce. Larger: spheres look
 /// sticky. Smaller: nothing comes to rest.
 inline constexpr double kBounceSteps = 4;
-/// Spheres appear at most this far below the highest ceiling that has room. [r] Larger: sets are
-/// larger and fall less far.
-inline constexpr double kPaperTopBand = 4;
 /// A centre this far outside the box has leaked and will never rest. [r] Smaller: one that is about
 /// to be pulled back is given up. Larger: a set waits longer for it.
 inline constexpr double kLost = 4;

@@ -164,8 +164,7 @@ bool Discards::findOpenCubes()
     if (!open_)
     {
         open_ = openCubesOf(world_.surface, world_.inside, world_.radii.smallest(), kMostMapBytes,
-                            threads_)
-                    .open;
+                            threads_);
         isOff_ = !open_;
     }
     return open_.has_value();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: where the centre of a sphere can be. From this follow discards, leaks and parts that are
-// too narrow.
+// Room: where the centre of a sphere can be. From this follow discards and parts that are too
+// narrow.
 #pragma once
 
 #include "mesh/interior/inside_test.hpp"
@@ -53,19 +53,12 @@ struct OpenCubes
     }
 };
 
-/// Of an empty object.
-struct EmptyObject
-{
-    std::optional<OpenCubes> open;       ///< none for a leak, or where memory is short
-    std::optional<Eigen::Vector3d> leak; ///< a point in a hole that is wider than the probe
-};
-
-/// `probe`: the smallest sphere [r]. Cubes have an edge of kReachVoxel probes, or a larger one so
-/// that a set of them takes no more than `bytes`. `unblocked`, if given, gets those of both sides
-/// that the surface does not close.
-[[nodiscard]] EmptyObject openCubesOf(const Surface& surface, const InsideTest& inside,
-                                      double probe, std::size_t bytes, Threads& threads,
-                                      CubeSet* unblocked = nullptr);
+/// Of an empty object; none where memory is short. `probe`: the smallest sphere [r]. Cubes have an
+/// edge of kReachVoxel probes, or a larger one so that a set of them takes no more than `bytes`.
+/// `unblocked`, if given, gets those of both sides that the surface does not close.
+[[nodiscard]] std::optional<OpenCubes> openCubesOf(const Surface& surface, const InsideTest& inside,
+                                                   double probe, std::size_t bytes,
+                                                   Threads& threads, CubeSet* unblocked = nullptr);
 
 /// See frostfill::inspectReach: of a run's object and its smallest radius, with the searches that
 /// it has anyway. `open` gets the open cubes of the object, if they are known.

@@ -184,11 +184,8 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
 {
     ReachInspection result;
     CubeSet unblocked;
-    EmptyObject empty =
-        openCubesOf(surface, inside, radius, bytes / kSetsOfCubes, threads, &unblocked);
-    open = std::move(empty.open);
-    result.leak = empty.leak;
-    result.known = open || result.leak;
+    open = openCubesOf(surface, inside, radius, bytes / kSetsOfCubes, threads, &unblocked);
+    result.known = open.has_value();
     if (!open)
     {
         return result;
@@ -211,10 +208,6 @@ ReachInspection inspect(const Surface& surface, const TriangleGrid& triangles,
 ReachInspection inMeshUnits(ReachInspection result, const Eigen::Vector3d& origin, double length)
 {
     const double volume = length * length * length;
-    if (result.leak)
-    {
-        result.leak = origin + length * *result.leak;
-    }
     result.unreachable *= volume;
     result.resolution *= length;
     for (UnreachableVolume& part : result.parts)

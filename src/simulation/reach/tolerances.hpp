@@ -28,11 +28,8 @@ inline constexpr double kLargestVoxel = 0.7;
 /// Where memory is short, cubes grow by this factor until they fit. Larger: cubes larger than
 /// needed. Smaller: more tries.
 inline constexpr double kGrowth = 1.02;
-/// And by this one where even the largest cubes allowed are reached at once, so that it ends.
-inline constexpr double kMinGrowth = 1.0001;
-/// Words of a grid up to which all its cubes have words, also those outside of the object: then a
-/// hole is found, though what lies behind it is not known to be inside. Larger: memory for cubes
-/// outside. Smaller: a hole in an ordinary mesh may not be found.
+/// Words of a grid up to which all its cubes have words, also those outside of the object. Larger:
+/// memory for cubes outside. Smaller: searches in ordinary objects look up bricks.
 inline constexpr std::size_t kWholeGrid = std::size_t{1} << 20;
 
 /// The smallest sphere of a size curve up to which nothing is discarded: it passes between three of

@@ -4,7 +4,6 @@
 #include "base/random.hpp"
 #include "base/threads.hpp"
 #include "scene/radius_distribution.hpp"
-#include "simulation/motion/vertical_drop.hpp"
 #include "simulation/release/tolerances.hpp"
 #include "simulation/world/world.hpp"
 
@@ -75,7 +74,8 @@ public:
     /// Whether the object is full once there is no place; otherwise there may be others.
     [[nodiscard]] virtual bool findsEveryPlace() const { return true; }
 
-    /// To be called for each sphere that has come to rest.
+    /// To be called for each sphere that has come to rest. If it runs again, nothing appears where
+    /// it was any more.
     virtual void close(const Eigen::Vector3d& centre, double radius) = 0;
 };
 
@@ -94,32 +94,5 @@ std::size_t releaseAmong(const RunningSpheres& runners, SphereGrid& grid, std::s
 
 /// Nothing can appear any more: says why the run is over, unless its count is reached.
 void endForWantOfPlaces(World& world, const ReleasePart& release);
-
-/// What depends on the spheres at rest. It knows those that are at rest when it is made, and is
-/// updated for each that comes to rest: where falls end, and where spheres can appear.
-struct RestObservers
-{
-    RestObservers(World& world, double band, Threads& threads)
-        : resting(world.spheres.resting()), falls(resting, world.triangles),
-          release(makeRelease(world, band, threads))
-    {
-        for (std::uint32_t id = 0; id < world.spheres.size(); ++id)
-        {
-            add(world.spheres.position(id), world.spheres.radius(id));
-        }
-    }
-
-    /// A sphere has come to rest. If it runs again, falls look where it was in vain, and nothing
-    /// appears there any more.
-    void add(const Eigen::Vector3d& place, double radius)
-    {
-        falls.insert(place, resting.levelFor(radius));
-        release->close(place, radius);
-    }
-
-    const SphereGrid& resting;
-    FallIndex falls;
-    std::unique_ptr<ReleasePart> release;
-};
 
 } // namespace frostfill

@@ -75,7 +75,7 @@ SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, doubl
                      smallLattice))
 {
     // Two sites side by side, none of them near the surface, are on the same side of it.
-    const double least = cell() / 2 * (1 + kDistanceSlack);
+    const double least = cell() / 2 * (1 + kDistanceRounding);
     depth_ = radius_ - halfDiagonal();
     depth_ = std::abs(depth_) < least ? -least : depth_;
     const CubeSet far = cubesFartherThan(surface, cubes_, std::abs(depth_), cubes_.all(), threads);

@@ -24,10 +24,9 @@ inline constexpr double kMaxSites = 4e9;
 inline constexpr std::size_t kSmallLattice = 4'000'000;
 /// Factor by which cells grow until there are few enough. Larger: coarser than need be.
 inline constexpr double kCellGrowth = 1.02;
-/// What rounding may take from a distance [1]. Smaller: a site may be taken for one on the other
-/// side of a wall. Larger: more sites count as near one.
-inline constexpr double kDistanceSlack = 1e-9;
-
+/// Below the highest ceiling, in which falls begin [r]. Larger: spheres appear in sight, lower
+/// down. Smaller: fewer find room at once.
+inline constexpr double kTopBand = 4;
 /// Places in a row that others run through, after which a search gives up for now [1]: most do.
 /// Larger: time, when the object is crowded. Smaller: sets appear with fewer spheres than they
 /// could.

@@ -18,7 +18,19 @@ namespace frostfill
 /// The damping ratio with which a linear spring and dashpot that never pull leave this restitution:
 /// sin p, where (pi - 2 p) tan p = -ln e [Schwager & Poschel 2007], in closed form. Below e^-2,
 /// which is that of critical damping, it is 1.
-[[nodiscard]] double dampingRatioFor(double restitution);
+[[nodiscard]] inline double dampingRatioFor(double restitution)
+{
+    constexpr int kBisections = 60;
+    double low = 0;
+    double high = std::numbers::pi / 2;
+    for (int k = 0; k < kBisections; ++k)
+    {
+        const double angle = (low + high) / 2;
+        const double leaves = std::exp(-(std::numbers::pi - 2 * angle) * std::tan(angle));
+        (leaves > restitution ? low : high) = angle;
+    }
+    return std::sin(low);
+}
 
 /// Of all contacts. Lengths in r, stiffness in m g / r.
 struct ContactLaw

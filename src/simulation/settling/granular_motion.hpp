@@ -98,7 +98,6 @@ private:
     void pushAll();
     void step(const ContactStep& step, const Course& course);
     [[nodiscard]] std::size_t divide(double time, double longest);
-    // By impulses: granular_impulses.cpp.
     void stepByImpulses(const Course& course, double stiffness);
     void wake();
     void plan();

@@ -68,7 +68,6 @@ private:
     void countStep(double time);
     void compact();
     void startRest();
-    // By impulses: settling_by_impulses.cpp.
     void advanceByImpulses(double time, double drag);
     [[nodiscard]] bool stack();
     [[nodiscard]] bool isStacked() const;

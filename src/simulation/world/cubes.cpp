@@ -63,23 +63,6 @@ std::uint64_t Cubes::inGrid(std::size_t word) const
     return last < 0 ? 0 : ~std::uint64_t{0} >> (63 - std::min(63, last));
 }
 
-std::uint64_t Cubes::outermost(std::size_t word) const
-{
-    std::uint64_t beside = ~std::uint64_t{0};
-    const std::uint64_t cubes = inGrid(word);
-    if (cubes != 0)
-    {
-        const auto [x, y, z] = words_.cell(word - kNowhere);
-        for (const int step : {-1, 1})
-        {
-            beside &= inGrid(wordIfAny(x, y + step, z)) & inGrid(wordIfAny(x, y, z + step));
-        }
-        beside &= cubes << 1 | inGrid(wordIfAny(x - 1, y, z)) >> 63;
-        beside &= cubes >> 1 | inGrid(wordIfAny(x + 1, y, z)) << 63;
-    }
-    return cubes & ~beside;
-}
-
 // All threads take cubes out at once, each those near its triangles.
 CubeSet cubesFartherThan(const Surface& surface, const Cubes& cubes, double distance, CubeSet among,
                          Threads& threads)

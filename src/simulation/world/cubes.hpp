@@ -76,8 +76,6 @@ public:
     [[nodiscard]] CubeSet all() const;
     /// The cubes of a word that lie in the grid.
     [[nodiscard]] std::uint64_t inGrid(std::size_t word) const;
-    /// The cubes of a word that have a neighbour without a word.
-    [[nodiscard]] std::uint64_t outermost(std::size_t word) const;
     [[nodiscard]] Eigen::Vector3d middle(const GridPlace& cube) const
     {
         return frame_.centre(cube[0], cube[1], cube[2]);

@@ -148,6 +148,8 @@ public:
     [[nodiscard]] const GridFrame& frame() const { return coarse_.frame; }
     [[nodiscard]] std::size_t levels() const { return 1 + finer_.size(); }
     [[nodiscard]] const GridFrame& frame(std::size_t level) const { return levelAt(level).frame; }
+    /// No centre in a level is higher than this.
+    [[nodiscard]] double top(std::size_t level) const { return levelAt(level).extent.max().y(); }
     /// The largest radius of a level.
     [[nodiscard]] double largest(std::size_t level) const { return levelAt(level).largest; }
     /// The level that spheres of a radius are in.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Well-known meshes that are not part of the project; skipped where they are not at hand.
 #include "support/paths.hpp"
+#include "support/winding_number.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cmath>

@@ -314,7 +314,7 @@ TEST(TriangleBvh, AnswersForAGridWhoseCellsHaveMany)
     EXPECT_GT(asked, 1000U);
 }
 
-TEST(NearestWall, IsThatOfAListOfAllTriangles)
+TEST(NearestPoint, OfASurfaceIsThatOfAListOfAllTriangles)
 {
     const Surface surface(shapes::torus(1, 0.4, 120, 40), Walls());
     for (const Eigen::Vector3d& p : pointsFor(surface, 300))
@@ -326,12 +326,14 @@ TEST(NearestWall, IsThatOfAListOfAllTriangles)
             square = std::min(square, (p - closestPointOnTriangle(p, a, b, c).point).squaredNorm());
         }
         const double distance = std::sqrt(square);
-        EXPECT_EQ(nearestWall(surface, p, 1e9, 0).square, square);
-        EXPECT_EQ(nearestWall(surface, p, 1.001 * distance + 1e-6, 0).square, square);
-        EXPECT_GE(nearestWall(surface, p, 0.9 * distance, 0).square, square);
-        const WallPoint any = nearestWall(surface, p, 1e9, 1.1 * distance + 1e-6);
-        EXPECT_LT(std::sqrt(any.square), 1.1 * distance + 1e-6);
-        EXPECT_EQ((p - any.point).squaredNorm(), any.square);
+        for (const double within : {1e9, 1.001 * distance + 1e-6})
+        {
+            const auto found = nearestPoint(surface.mesh(), surface.tree(), p, within);
+            ASSERT_TRUE(found);
+            EXPECT_EQ(found->distance, distance);
+            EXPECT_EQ((p - found->point).squaredNorm(), square);
+        }
+        EXPECT_FALSE(nearestPoint(surface.mesh(), surface.tree(), p, 0.9 * distance));
     }
 }
 

@@ -2,6 +2,7 @@
 #include "base/random.hpp"
 #include "mesh/interior/inside_test.hpp"
 #include "support/shapes.hpp"
+#include "support/winding_number.hpp"
 
 #include <gtest/gtest.h>
 

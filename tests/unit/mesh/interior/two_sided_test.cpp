@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh/interior/inside_test.hpp"
 #include "support/random_points.hpp"
+#include "support/winding_number.hpp"
 #include "unit/mesh/interior/surface_samples.hpp"
 
 #include <gtest/gtest.h>

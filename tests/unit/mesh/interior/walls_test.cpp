@@ -3,6 +3,7 @@
 
 #include "mesh/interior/surface.hpp"
 #include "mesh/interior/winding_columns.hpp"
+#include "support/winding_number.hpp"
 #include "unit/mesh/interior/surface_samples.hpp"
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "mesh/interior/winding_columns.hpp"
 
 #include "support/shapes.hpp"
+#include "support/winding_number.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "support/winding_number.hpp"
+
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <cmath>

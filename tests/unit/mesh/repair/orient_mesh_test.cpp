@@ -4,6 +4,7 @@
 #include "mesh/interior/winding_columns.hpp"
 #include "mesh/repair/repair_steps.hpp"
 #include "support/shapes.hpp"
+#include "support/winding_number.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 #include <map>

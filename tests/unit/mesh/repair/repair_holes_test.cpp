@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/winding_number.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
 namespace frostfill

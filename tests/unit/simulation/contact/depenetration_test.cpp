@@ -87,20 +87,5 @@ TEST_F(DepenetrationTest, IsNotFoundWithinTooShortAWay)
     EXPECT_FALSE(depenetrate(world, place, 1, 1));
 }
 
-// In a slit that is too narrow the walls push by turns for ever: only who notices ends.
-TEST_F(DepenetrationTest, EndsWhereMovesComeBackToWhereTheyHaveBeen)
-{
-    constexpr int kForEver = std::numeric_limits<int>::max();
-    for (const double at : {-0.2, 0.0, 0.1})
-    {
-        place = {4.3, -9.25 + at, 3.1};
-        EXPECT_FALSE(depenetrate(world, {{4.3, -7.5, 3.1}, 1}, place, 1, 10, kForEver))
-            << "straight below a sphere, a quarter of a radius above where it has room";
-    }
-    place = {4.3, -9.25, 3.1};
-    EXPECT_TRUE(depenetrate(world, {{4.3, -7.5, 3.0999}, 1}, place, 1, 10, kForEver))
-        << "a little beside it leads out";
-}
-
 } // namespace
 } // namespace frostfill

@@ -160,21 +160,6 @@ TEST(NeighbourList, AnswersFromWhatItHasFoundOfADenseWallWhileTheSphereCreeps)
     EXPECT_GT(contacts, 100u);
 }
 
-TEST(NeighbourList, FindsTheSameListOfADenseWallForTwoPlacesSideBySide)
-{
-    const auto world = denseWorld();
-    for (const Eigen::Vector3d& p : placesBeside(*world, 0, 20))
-    {
-        NeighbourList around;
-        around.ensure(*world, p, 1, 0);
-        const auto copy = [](std::span<const std::uint32_t> list)
-        { return std::vector<std::uint32_t>(list.begin(), list.end()); };
-        const std::vector<std::uint32_t> here = copy(around.trianglesNear(p, 1 + kTouch));
-        const Eigen::Vector3d beside = p + 0.05 * world->surface.bound(here.front()).normal;
-        EXPECT_EQ(copy(around.trianglesNear(beside, 1 + kTouch)), here);
-    }
-}
-
 // What a question costs follows how far it looks, not what the list could have.
 TEST(NeighbourList, LooksAtFewTrianglesOfADenseWall)
 {
@@ -184,23 +169,8 @@ TEST(NeighbourList, LooksAtFewTrianglesOfADenseWall)
         NeighbourList around;
         around.ensure(*world, p, 1, 0);
         EXPECT_GT(around.trianglesNear(p, 1 + NeighbourList::kSkin).size(), 90u);
-        EXPECT_LT(around.trianglesNear(p, 1 + kTouch).size(), 80u); // with its inner skin
-        EXPECT_EQ(around.trianglesTested(), around.trianglesNear(p, 1 + kTouch).size());
-    }
-}
-
-TEST(NeighbourList, LeavesTheInnerSkinAwayWhereItHasManyTriangles)
-{
-    const auto world = smallWorld(shapes::torus(10, 4, 480, 192));
-    for (const Eigen::Vector3d& p : placesBeside(*world, 0, 20))
-    {
-        NeighbourList around;
-        around.ensure(*world, p, 1, 0);
-        const auto withSkin = around.trianglesNear(p, 1 + kTouch);
-        EXPECT_GT(withSkin.size(), 100u);
-        const Eigen::Vector3d away = 0.2 * world->surface.bound(withSkin.front()).normal;
-        EXPECT_LT(around.trianglesNear(p + away, 1 + kTouch).size(), 48u);
         EXPECT_LT(around.trianglesNear(p, 1 + kTouch).size(), 48u);
+        EXPECT_EQ(around.trianglesTested(), around.trianglesNear(p, 1 + kTouch).size());
     }
 }
 

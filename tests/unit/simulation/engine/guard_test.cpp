@@ -112,8 +112,7 @@ TEST_F(GuardTest, StopsTheRunForWhatIsNoNumber)
 
 TEST_F(GuardTest, AFallWithNothingBelowEndsWhereItBegan)
 {
-    const FallIndex falls(world->spheres.resting(), world->triangles);
-    const DropAndRoll dropAndRoll(*world, falls);
+    const DropAndRoll dropAndRoll(*world);
     Eigen::Vector3d inside = {0, 0, 0};
     EXPECT_TRUE(dropAndRoll.drop(inside, 1));
     EXPECT_NEAR(inside.y(), -9, 1e-9);

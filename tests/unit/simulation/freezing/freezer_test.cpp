@@ -19,12 +19,12 @@ bool yieldsAfter(double way, double rollingFriction)
 {
     const auto world = smallWorld(shapes::box({-20, -20, -20}, {20, 20, 20}, 4));
     Threads threads(1);
-    RestObservers observers(*world, world->height, threads);
+    const auto release = makeRelease(*world, world->height, threads);
     SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {.restitution = {}, .rolling = {0.5, rollingFriction}});
     RunningSpheres& running = world->spheres.running();
     PositionSolver solver(running, flight, threads, {.restitution = {}, .dt = 0.1});
-    Freezer freezer(*world, grid, observers, flight, solver, threads, 1000);
+    Freezer freezer(*world, grid, release, flight, solver, threads, 1000);
     world->spheres.add({0, 0, 0}, 1, 0);
     solver.velocities().stopYielding(0);
     freezer.startWindow();
@@ -47,13 +47,13 @@ TEST(Freezer, TakesTheLowestFirstWhereSomeHeightsAreNoNumbers)
 {
     const auto world = smallWorld(shapes::box({-20, -20, -20}, {20, 20, 20}, 4));
     Threads threads(1);
-    RestObservers observers(*world, world->height, threads);
+    const auto release = makeRelease(*world, world->height, threads);
     SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {.restitution = {}});
     RunningSpheres& running = world->spheres.running();
     PositionSolver solver(running, flight, threads, {.restitution = {}, .dt = 0.1});
     constexpr double kAgeLimit = 1;
-    Freezer freezer(*world, grid, observers, flight, solver, threads, kAgeLimit);
+    Freezer freezer(*world, grid, release, flight, solver, threads, kAgeLimit);
     SetSchedule sets(*world, kAgeLimit);
     for (std::uint32_t k = 0; k < 200; ++k)
     {

@@ -37,7 +37,7 @@ TEST(OverlapResolver, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
 {
     const auto world = smallWorld(twoChambers());
     Threads threads(1);
-    RestObservers observers(*world, world->height, threads);
+    const auto release = makeRelease(*world, world->height, threads);
     SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {});
     RunningSpheres& running = world->spheres.running();
@@ -48,7 +48,7 @@ TEST(OverlapResolver, GivesTheNumberOfASphereThatIsWithdrawnToTheLastOne)
     }
     gather(grid, running);
 
-    OverlapResolver room(*world, grid, flight, observers);
+    OverlapResolver room(*world, grid, flight, release);
     ASSERT_FALSE(room.moveAside(1, {places[1], 1}, kFarRoom));
     world->spheres.freeze(1);
     room.evict();
@@ -69,7 +69,7 @@ TEST(OverlapResolver, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
 {
     const auto world = smallWorld(twoChambers());
     Threads threads(1);
-    RestObservers observers(*world, world->height, threads);
+    const auto release = makeRelease(*world, world->height, threads);
     SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {});
     RunningSpheres& running = world->spheres.running();
@@ -80,7 +80,7 @@ TEST(OverlapResolver, LetsASphereThatHasToLeaveAppearWhereThereIsRoom)
     }
     gather(grid, running);
 
-    OverlapResolver room(*world, grid, flight, observers);
+    OverlapResolver room(*world, grid, flight, release);
     ASSERT_FALSE(room.moveAside(1, {places[1], 1}, kFarRoom));
     EXPECT_EQ(running.position[0], places[0]) << "none is moved";
     world->spheres.freeze(1);

@@ -38,12 +38,7 @@ class Settling : public ::testing::Test
 protected:
     Eigen::Vector3d settle(World& world, Eigen::Vector3d p)
     {
-        FallIndex falls(world.spheres.resting(), world.triangles);
-        for (std::size_t id = 0; id < world.spheres.size(); ++id)
-        {
-            falls.insert(world.spheres.position(id));
-        }
-        DropAndRoll descent(world, falls);
+        DropAndRoll descent(world);
         EXPECT_TRUE(descent.settle(p, 1));
         return p;
     }

@@ -139,19 +139,6 @@ inline TriangleMesh joined(TriangleMesh a, const TriangleMesh& b)
     return a;
 }
 
-/// Takes out the triangles whose middle is within half a side of a point.
-inline TriangleMesh withHole(TriangleMesh mesh, const Eigen::Vector3d& where, double side)
-{
-    std::erase_if(mesh.triangles,
-                  [&](const auto& t)
-                  {
-                      const Eigen::Vector3d middle =
-                          (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
-                      return (middle - where).lpNorm<Eigen::Infinity>() < side / 2;
-                  });
-    return mesh;
-}
-
 /// Calls visit(place, isOpen) for every cube of the grid.
 template <class Visit>
 void forEachCubeOf(const OpenCubes& open, Visit&& visit)

@@ -27,10 +27,9 @@ class WhatAPathHasSeen : public ::testing::Test
 protected:
     explicit WhatAPathHasSeen() : world(smallWorld(shapes::box({-6, -10, -6}, {6, 10, 6}, 3)))
     {
-        falls.emplace(world->spheres.resting(), world->triangles);
         for (int k = 0; k < 40; ++k)
         {
-            add(pathFrom(chance()).first);
+            addResting(*world, pathFrom(chance()).first);
         }
     }
 
@@ -41,22 +40,16 @@ protected:
         const double x = coordinate();
         return {x, 8.5, coordinate()};
     }
-    void add(const Eigen::Vector3d& place)
-    {
-        addResting(*world, place);
-        falls->insert(place);
-    }
     std::pair<Eigen::Vector3d, bool> pathFrom(Eigen::Vector3d p,
                                               Eigen::AlignedBox3d* seen = nullptr)
     {
         NeighbourList around;
-        const bool rests = DropAndRoll(*world, *falls)
-                               .settle(p, 1, around, std::numeric_limits<double>::infinity(), seen);
+        const bool rests =
+            DropAndRoll(*world).settle(p, 1, around, std::numeric_limits<double>::infinity(), seen);
         return {p, rests};
     }
 
     std::unique_ptr<World> world;
-    std::optional<FallIndex> falls;
 
 private:
     std::uint64_t draws_ = 0;
@@ -80,8 +73,6 @@ TEST_F(WhatAPathHasSeen, HoldsEverySphereThatChangesThePath)
             newcomer.y() = 6 - k % 7; // in the air, where paths fall
         }
         const std::uint32_t id = addResting(*world, newcomer);
-        // The index of falls has no way back, but bits too many only cost time.
-        falls->insert(newcomer);
         const bool differs = pathFrom(from) != before;
         world->spheres.wake(id);
         world->spheres.withdraw(id);

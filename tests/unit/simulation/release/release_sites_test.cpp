@@ -22,13 +22,6 @@ protected:
         scene.spheres.radius = 0.1;
     }
 
-    /// Puts a sphere at rest where `place` falls to.
-    static void rest(World& world, FallIndex& falls, const Eigen::Vector3d& place)
-    {
-        world.spheres.addResting(place, 1, 0);
-        falls.insert(place);
-    }
-
     Scene scene = presetScene(Preset::fast, "cube");
     TriangleMesh mesh = builtInMesh("cube");
 };
@@ -36,8 +29,7 @@ protected:
 TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
 {
     World world(scene, mesh);
-    FallIndex falls(world.spheres.resting(), world.triangles);
-    const DropAndRoll descent(world, falls);
+    const DropAndRoll descent(world);
     Threads one(1);
     Threads two(2);
     Releases plain(world, 4, one);
@@ -64,7 +56,7 @@ TEST_F(ReleaseSitesTest, LookingAheadOnTwoThreadsFindsTheSamePlaces)
         }
         if (found % 40 == 0)
         {
-            rest(world, falls, *place);
+            world.spheres.addResting(*place, 1, 0);
             plain.close(*place, 1);
             ahead.close(*place, 1);
         }
@@ -99,7 +91,6 @@ TEST_F(ReleaseSitesTest, GivesUpForNowWhenManyPlacesInARowDoNotSuit)
 TEST_F(ReleaseSitesTest, EndsASearchSoonAfterItIsToldToAndForgetsNothing)
 {
     World world(scene, mesh);
-    FallIndex falls(world.spheres.resting(), world.triangles);
     Threads threads(1);
     for (const double band : {-1.0, 4.0}) // in the order of the lattice, and below ceilings
     {
@@ -134,13 +125,12 @@ TEST_F(ReleaseSitesTest, EndsASearchSoonAfterItIsToldToAndForgetsNothing)
 TEST_F(ReleaseSitesTest, LeavesNoPlaceInAnObjectThatIsFull)
 {
     World world(scene, mesh);
-    FallIndex falls(world.spheres.resting(), world.triangles);
     Threads threads(2);
     ReleaseSites sites(world, 1, 4, threads);
     const ReleaseQuery any = {.suits = [](const Eigen::Vector3d&, double) { return true; }};
     while (const auto found = sites.find(1, any))
     {
-        rest(world, falls, *found);
+        world.spheres.addResting(*found, 1, 0);
         sites.close(*found, 1);
     }
     ASSERT_GT(world.spheres.size(), 500u); // hanging where they are, less dense than fallen ones

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "base/program_talk.hpp"
+#include "lab/program_talk.hpp"
 
 #include "base/timers.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -27,7 +28,7 @@ using namespace std::chrono_literals;
 
 constexpr std::size_t kSendAt = std::size_t(1) << 16;   // [byte]
 constexpr std::size_t kMostSaid = std::size_t(1) << 16; // that is no line, or not asked for [byte]
-constexpr std::size_t kMostErrors = 400;                // kept of standard error [byte]
+constexpr off_t kMostErrors = 400;                      // told of standard error [byte]
 constexpr auto kTimeToEnd = 1s;
 constexpr auto kTimeToComplain = 100ms; // of one that says what is wrong, and may go on
 
@@ -40,57 +41,41 @@ std::string findProgram(const std::string& program)
                : program;
 }
 
-/// As `write`, but a reader that has gone is an error and no signal.
-ssize_t writeWithoutSignal(int pipe, const std::string& bytes)
-{
-    sigset_t brokenPipe;
-    sigset_t before;
-    sigset_t waiting;
-    sigemptyset(&brokenPipe);
-    sigaddset(&brokenPipe, SIGPIPE);
-    sigpending(&waiting);
-    pthread_sigmask(SIG_BLOCK, &brokenPipe, &before);
-    const ssize_t size = ::write(pipe, bytes.data(), bytes.size());
-    const int error = errno;
-    if (size < 0 && error == EPIPE && sigismember(&waiting, SIGPIPE) == 0)
-    {
-        const timespec now{};
-        sigtimedwait(&brokenPipe, nullptr, &now);
-    }
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
-    errno = error;
-    return size;
-}
-
 } // namespace
 
 ProgramTalk::ProgramTalk(const std::string& program, double seconds)
-    : error_(std::max({input_.error(), output_.error(), errors_.error()})), patience_(seconds),
+    : error_(output_.error()), errors_(memfd_create("errors", MFD_CLOEXEC)), patience_(seconds),
       deadline_(Clock::now() +
                 std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)))
 {
+    std::array<int, 2> input = {-1, -1}; // a socket: a reader that has gone is an error, no signal
+    if (error_ == 0 &&
+        (errors_ < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, input.data()) != 0))
+    {
+        error_ = errno;
+    }
     if (error_ != 0)
     {
         return;
     }
-    const StartedProgram started = startProgram(
-        ".", {findProgram(program)},
-        {.input = input_.reading(), .output = output_.writing(), .errors = errors_.writing()},
-        true);
+    input_ = input[0];
+    const StartedProgram started =
+        startProgram(".", {findProgram(program)},
+                     {.input = input[1], .output = output_.writing(), .errors = errors_}, true);
     error_ = started.error;
     id_ = started.id;
-    input_.closeReading();
+    close(input[1]);
     output_.closeWriting();
-    errors_.closeWriting();
-    for (const int end : {input_.writing(), output_.reading(), errors_.reading()})
-    {
-        fcntl(end, F_SETFL, O_NONBLOCK);
-    }
 }
 
 ProgramTalk::~ProgramTalk()
 {
     reap();
+    closeInput();
+    if (errors_ >= 0)
+    {
+        close(errors_);
+    }
 }
 
 void ProgramTalk::say(std::string_view text)
@@ -125,7 +110,7 @@ std::optional<std::string> ProgramTalk::hear()
 void ProgramTalk::end()
 {
     sendAll();
-    input_.closeWriting();
+    closeInput();
     static_cast<void>(endsWithin(kTimeToEnd));
     reap();
 }
@@ -145,9 +130,6 @@ std::string ProgramTalk::ending()
 {
     const bool ended = endsWithin(output_.reading() < 0 ? kTimeToEnd : kTimeToComplain);
     reap();
-    while (errors_.reading() >= 0 && read(errors_, lastErrors_))
-    {
-    }
     if (late_)
     {
         return fmt::format("has not answered within {:g} s", patience_);
@@ -174,7 +156,7 @@ bool ProgramTalk::canHear() const
 
 void ProgramTalk::sendAll()
 {
-    while (!outgoing_.empty() && input_.writing() >= 0 && canHear())
+    while (!outgoing_.empty() && input_ >= 0 && canHear())
     {
         exchange();
     }
@@ -186,9 +168,8 @@ void ProgramTalk::exchange()
 {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline_ - Clock::now());
     late_ = left.count() <= 0;
-    std::array<pollfd, 3> ends = {{{outgoing_.empty() ? -1 : input_.writing(), POLLOUT, 0},
-                                   {output_.reading(), POLLIN, 0},
-                                   {errors_.reading(), POLLIN, 0}}};
+    std::array<pollfd, 2> ends = {
+        {{outgoing_.empty() ? -1 : input_, POLLOUT, 0}, {output_.reading(), POLLIN, 0}}};
     constexpr std::chrono::milliseconds kLongest = 1h;
     if (late_ ||
         poll(ends.data(), ends.size(), static_cast<int>(std::min(left, kLongest).count())) <= 0)
@@ -201,42 +182,54 @@ void ProgramTalk::exchange()
     }
     if (ends[1].revents != 0)
     {
-        read(output_, said_);
-    }
-    if (ends[2].revents != 0)
-    {
-        read(errors_, lastErrors_);
-        lastErrors_.erase(0, lastErrors_.size() - std::min(lastErrors_.size(), kMostErrors));
+        read();
     }
 }
 
 void ProgramTalk::write()
 {
-    const ssize_t size = writeWithoutSignal(input_.writing(), outgoing_);
+    const ssize_t size =
+        send(input_, outgoing_.data(), outgoing_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     if (size >= 0)
     {
         outgoing_.erase(0, static_cast<std::size_t>(size));
     }
     else if (errno != EAGAIN && errno != EINTR)
     {
-        input_.closeWriting();
+        closeInput();
     }
 }
 
-/// Whether there was something.
-bool ProgramTalk::read(Pipe& pipe, std::string& text)
+void ProgramTalk::read()
 {
     std::array<char, kMostSaid> buffer;
-    const ssize_t size = ::read(pipe.reading(), buffer.data(), buffer.size());
+    const ssize_t size = ::read(output_.reading(), buffer.data(), buffer.size());
     if (size > 0)
     {
-        text.append(buffer.data(), static_cast<std::size_t>(size));
+        said_.append(buffer.data(), static_cast<std::size_t>(size));
     }
-    else if (size == 0 || (errno != EAGAIN && errno != EINTR))
+    else if (size == 0 || errno != EINTR)
     {
-        pipe.closeReading();
+        output_.closeReading();
     }
-    return size > 0;
+}
+
+void ProgramTalk::closeInput()
+{
+    if (input_ >= 0)
+    {
+        close(std::exchange(input_, -1));
+    }
+}
+
+std::string ProgramTalk::errors() const
+{
+    const off_t size = lseek(errors_, 0, SEEK_END);
+    const off_t first = std::max<off_t>(0, size - kMostErrors);
+    std::string last(static_cast<std::size_t>(std::max<off_t>(0, size - first)), '\0');
+    const ssize_t found = pread(errors_, last.data(), last.size(), first);
+    last.resize(static_cast<std::size_t>(std::max<ssize_t>(0, found)));
+    return last;
 }
 
 bool ProgramTalk::endsWithin(Clock::duration time) const

@@ -39,7 +39,7 @@ public:
     /// Why nothing can be heard: "ended with code 3". Ends the program.
     [[nodiscard]] std::string ending();
     /// The last that it wrote to its standard error.
-    [[nodiscard]] const std::string& errors() const { return lastErrors_; }
+    [[nodiscard]] std::string errors() const;
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -47,22 +47,22 @@ private:
     void sendAll();
     void exchange();
     void write();
-    bool read(Pipe& pipe, std::string& text);
+    void read();
+    void closeInput();
     [[nodiscard]] bool canHear() const;
     [[nodiscard]] bool endsWithin(Clock::duration time) const;
     void reap();
 
-    Pipe input_;
     Pipe output_;
-    Pipe errors_;
     int error_;
+    int input_ = -1;  ///< of the program: our end of a socket
+    int errors_;      ///< a file in memory
     pid_t id_ = -1;   ///< -1 when it does not run
     double patience_; ///< [s]
     Clock::time_point deadline_;
     std::string outgoing_;
     std::string said_;
     std::size_t heard_ = 0; ///< of what was said [byte]
-    std::string lastErrors_;
     bool late_ = false;
     int status_ = 0;         ///< of its end
     double usedSeconds_ = 0; ///< once it has ended

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/program_talk.hpp"
+#include "lab/program_talk.hpp"
 
 #include "support/small_program.hpp"
 
