@@ -224,6 +224,22 @@ void Pipeline::readBack(Image& image, std::span<const PixelRectangle> parts)
     }
 }
 
+void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
+{
+    context_->makeCurrent();
+    follow(snapshot);
+    const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
+                                    [&](const std::unique_ptr<SurfacePass>& pass) {
+                                        return pass->size().width == size.width &&
+                                               pass->size().height == size.height;
+                                    });
+    SurfacePass& pass = found != surfacePasses_.end()
+                            ? **found
+                            : *surfacePasses_.emplace_back(std::make_unique<SurfacePass>(
+                                  gl_, shapesOnly(painter_.variant()), size));
+    pass.draw(placeSpheres(snapshot, framing()), painter_.uniforms(), surfaces);
+}
+
 std::vector<double> Pipeline::readDepth()
 {
     context_->makeCurrent();

@@ -7,6 +7,7 @@
 #include "render/context/framebuffer.hpp"
 #include "render/layer/scene_painter.hpp"
 #include "render/layer/static_layer.hpp"
+#include "render/passes/surface_pass.hpp"
 #include "render/picture/dirty_rectangles.hpp"
 #include "render/picture/picture_backend.hpp"
 #include "render/picture/projected_sphere.hpp"
@@ -35,6 +36,8 @@ public:
 
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image) override;
     void readBack(Image& image, std::span<const PixelRectangle> parts) override;
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                      Surfaces& surfaces) override;
     [[nodiscard]] const std::string& description() const override { return description_; }
 
     /// Window depth in 0..1, top row first; for samples == 1.
@@ -69,6 +72,7 @@ private:
     std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
     std::vector<SphereInstance> spheres_; ///< that run and can be seen
     std::vector<PicturePart> parts_;      ///< [spheres_] where
+    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
 };
 
 } // namespace frostfill

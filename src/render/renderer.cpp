@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/overlay/annotated_picture.hpp"
 #include "render/pipeline.hpp"
-#include "render/raster/surface_tiles.hpp"
 #include "render/raster/tile_pipeline.hpp"
 
 #include <frostfill/error.hpp>
@@ -181,8 +180,7 @@ void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
     const auto drawing = Clock::now();
-    own.backend->follow(snapshot);
-    drawSurfaces(snapshot, own.backend->viewpoint(), own.settings.size, own.surfaces);
+    own.backend->drawSurfaces(snapshot, own.settings.size, own.surfaces);
     makePassPictures(own.surfaces, own.backend->framing(), pictures);
     own.times[Stage::rendering] += secondsSince(drawing);
 }

@@ -76,6 +76,7 @@ public:
         return sphereOcclusion_ ? &*sphereOcclusion_ : nullptr;
     }
 
+    [[nodiscard]] const SphereUniforms& uniforms() const { return uniforms_; }
     [[nodiscard]] const ShaderVariant& variant() const { return variant_; }
 
     /// Adds spheres to a finished picture as if they had been painted before the shell. `parts` are

@@ -6,6 +6,7 @@
 #include "render/framing/pixel_rectangle.hpp"
 #include "render/overlay/viewpoint.hpp"
 #include "render/picture/drawn_shell.hpp"
+#include "render/picture/surfaces.hpp"
 
 #include <frostfill/image.hpp>
 #include <frostfill/renderer.hpp>
@@ -36,22 +37,25 @@ public:
     /// RGB or, where the background is not opaque, RGBA; top row first. What lies outside of
     /// `parts` is left alone in a picture of this shape.
     virtual void readBack(Image& image, std::span<const PixelRectangle> parts) = 0;
+    /// What is seen of the spheres, in a picture of any size with the same view.
+    virtual void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                              Surfaces& surfaces) = 0;
     /// On one line.
     [[nodiscard]] virtual const std::string& description() const = 0;
 
     [[nodiscard]] const Framing& framing() const { return viewpoint_.framing(); }
     [[nodiscard]] const Legend& legend() const { return viewpoint_.legend(); }
-    [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
-    /// Looks at the object where it is in the snapshot.
-    void follow(const Snapshot& snapshot);
 
 protected:
+    [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
     /// Returns the mesh that is drawn as the shell.
     [[nodiscard]] const DrawnShell& shell() const { return shell_; }
     [[nodiscard]] std::span<const PolygonState> shellStates(const Snapshot& snapshot)
     {
         return shell_.states(snapshot.polygons);
     }
+    /// Looks at the object where it is in the snapshot.
+    void follow(const Snapshot& snapshot);
 
 private:
     /// The framing has changed: nothing of the picture before can be kept.

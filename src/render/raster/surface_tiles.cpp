@@ -68,8 +68,8 @@ void write(const SampleTile* tile, const PixelRectangle& inPicture, const TilePa
 
 } // namespace
 
-void drawSurfaces(const Snapshot& snapshot, const Viewpoint& viewpoint, const PictureSize& size,
-                  Surfaces& surfaces)
+void drawSurfacesInTiles(const Snapshot& snapshot, const Viewpoint& viewpoint,
+                         const PictureSize& size, Surfaces& surfaces)
 {
     const Framing& framing = viewpoint.framing();
     const RenderSettings& settings = viewpoint.settings();

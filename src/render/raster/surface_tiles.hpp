@@ -8,8 +8,8 @@ namespace frostfill
 {
 
 /// Draws the spheres of a snapshot for what they are and not how they look, in a picture of any
-/// size from where the viewpoint is. It does not matter what draws the picture itself.
-void drawSurfaces(const Snapshot& snapshot, const Viewpoint& viewpoint, const PictureSize& size,
-                  Surfaces& surfaces);
+/// size from where the viewpoint is, as SurfacePass does.
+void drawSurfacesInTiles(const Snapshot& snapshot, const Viewpoint& viewpoint,
+                         const PictureSize& size, Surfaces& surfaces);
 
 } // namespace frostfill

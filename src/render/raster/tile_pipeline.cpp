@@ -2,6 +2,7 @@
 #include "render/raster/tile_pipeline.hpp"
 
 #include "render/picture/painter_settings.hpp"
+#include "render/raster/surface_tiles.hpp"
 
 #include <tbb/parallel_for.h>
 
@@ -68,6 +69,13 @@ void TilePipeline::useFraming()
         }
     }
     stale_ = true;
+}
+
+void TilePipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                                Surfaces& surfaces)
+{
+    follow(snapshot);
+    drawSurfacesInTiles(snapshot, viewpoint(), size, surfaces);
 }
 
 const std::string& TilePipeline::description() const

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Depth, normals and identities against a ray caster.
+// Depth, normals, identities, and what of light neighbours keep off by them, as OpenGL and as tiles
+// draw them, against a ray caster.
 #include "render/picture/surfaces.hpp"
 
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/surface_tiles.hpp"
+#include "render/pipeline.hpp"
 #include "render/raster/tile_pipeline.hpp"
 #include "support/drawn_with.hpp"
 #include "support/expect_error.hpp"
@@ -120,16 +121,31 @@ void expectThoseOfTheRayCaster(const RenderSettings& settings, int count = 60,
     const TriangleMesh mesh = boxMesh({1, 0.8, 0.6}, middle);
     const Snapshot snapshot = cloud(middle, count, smallest, largest);
     const PictureSize size{240, 160}; // not that of the picture
-    const Viewpoint viewpoint(mesh, settings);
-    Surfaces surfaces;
-    drawSurfaces(snapshot, viewpoint, size, surfaces);
-    const Apart apart = apartFromRays(surfaces, viewpoint.framing(), settings, snapshot);
-    EXPECT_GT(apart.covered, 4000U) << "the scene proves little";
-    EXPECT_LT(apart.onEdge, apart.covered / 50) << "the scene proves little";
-    EXPECT_LT(apart.doubtful, apart.covered / 7) << "the scene proves little";
-    EXPECT_EQ(apart.wrong, 0U);
-    EXPECT_LT(apart.distance, kDepthOfSurface);
-    EXPECT_LE(apart.normal, 0.52); // half is rounding
+    const auto expect = [&](auto&& pipeline, const Framing& framing)
+    {
+        Surfaces surfaces;
+        pipeline.drawSurfaces(snapshot, size, surfaces);
+        const Apart apart = apartFromRays(surfaces, framing, settings, snapshot);
+        EXPECT_GT(apart.covered, 4000U) << "the scene proves little";
+        EXPECT_LT(apart.onEdge, apart.covered / 50) << "the scene proves little";
+        EXPECT_LT(apart.doubtful, apart.covered / 7) << "the scene proves little";
+        EXPECT_EQ(apart.wrong, 0U);
+        EXPECT_LT(apart.distance, kDepthOfSurface);
+        EXPECT_LE(apart.normal, 0.52); // half is rounding
+    };
+    if (const std::optional<Backend> openGl = test::openGl())
+    {
+        SCOPED_TRACE("OpenGL");
+        RenderSettings own = settings;
+        own.backend = *openGl;
+        Pipeline pipeline(mesh, own);
+        expect(pipeline, pipeline.framing());
+    }
+    {
+        SCOPED_TRACE("tiles");
+        TilePipeline pipeline(mesh, settings);
+        expect(pipeline, pipeline.framing());
+    }
 }
 
 TEST(SurfacesAgainstRays, AreExactInPerspectiveAndWithout)
