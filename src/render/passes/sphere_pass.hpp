@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: programs that draw one kind of thing: spheres, the shell, the ground. A pass draws what it
-// is given and keeps no history.
+// Room: programs that draw one kind of thing: spheres, the shell, depth, normals, identities. A
+// pass draws what it is given and keeps no history.
 #pragma once
 
 #include "render/context/gl.hpp"
