@@ -101,7 +101,9 @@ protected:
         const auto found = contents("faulty");
         for (const auto& [name, content] : found)
         {
-            const bool unfinished = name.ends_with(".tmp") || name.ends_with(".part");
+            // A run that could not keep its states leaves what it can begin again by.
+            const bool unfinished = name.ends_with(".tmp") || name.ends_with(".part") ||
+                                    (name == "begun.frost" && answer.code != 0);
             if (name == "run.frost" && answer.code != 0)
             {
                 // Appended as the run goes: what is there is the beginning of all.
