@@ -126,7 +126,7 @@ public:
         encode(snapshot, exact, snapshot.polygons);
     }
     /// The same with other polygons than those of the snapshot, which still tells how many of its
-    /// own are discarded. Those of snapshot() are not compared.
+    /// own are discarded.
     void encode(const Snapshot& snapshot, const ExactSphere& exact,
                 const std::vector<PolygonState>& polygons);
     /// The frame before once more.

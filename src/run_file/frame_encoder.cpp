@@ -2,6 +2,7 @@
 #include "run_file/frame_codec.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 namespace frostfill
 {
@@ -92,8 +93,10 @@ void FrameEncoder::sortPolygons(const std::vector<PolygonState>& polygons)
 {
     turnedPolygons_.clear();
     snapshot_.polygons.resize(polygons.size(), PolygonState::active);
-    // Most frames change none, and a mesh may have a million.
-    const bool same = &polygons == &snapshot_.polygons || snapshot_.polygons == polygons;
+    // Most frames change none, and a mesh may have a million: whole blocks of bytes are compared.
+    static_assert(sizeof(PolygonState) == 1);
+    const bool same = polygons.empty() ||
+                      std::memcmp(snapshot_.polygons.data(), polygons.data(), polygons.size()) == 0;
     for (std::size_t polygon = 0; !same && polygon < polygons.size(); ++polygon)
     {
         if (snapshot_.polygons[polygon] != polygons[polygon])

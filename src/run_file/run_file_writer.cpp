@@ -154,10 +154,7 @@ RunFileWriter::~RunFileWriter() = default;
 
 void RunFileWriter::put(std::size_t frame, const Snapshot& snapshot, const ExactSphere& exact)
 {
-    FrameEncoder& encoder = implementation_->encoder;
-    // To compare a million polygons takes longer than a step.
-    encoder.encode(snapshot, asPictured(snapshot, exact),
-                   snapshot.polygonsChanged ? snapshot.polygons : encoder.snapshot().polygons);
+    implementation_->encoder.encode(snapshot, asPictured(snapshot, exact));
     implementation_->add(frame);
 }
 

@@ -110,6 +110,24 @@ TEST_F(RunFile, KeepsMixedRadiiAndTheMotionOfTheObject)
     expectToKeep(scene);
 }
 
+TEST_F(RunFile, KeepsPolygonsWhateverTheSnapshotSaysOfTheirChanges)
+{
+    const Scene scene = someScene("cube", 3);
+    const TriangleMesh mesh = loadMesh(scene.object.mesh).mesh;
+    const Simulation simulation(scene, mesh);
+    RunFileWriter writer(file(), R"({"name": "test"})", mesh, simulation.smallestRadius());
+    const auto exact = [&](std::uint32_t id) { return simulation.sphere(id); };
+    Snapshot snapshot;
+    simulation.capture(snapshot);
+    writer.put(0, snapshot, exact);
+    snapshot.polygons[5] = PolygonState::discarded;
+    snapshot.discardedPolygons = 1;
+    snapshot.polygonsChanged = false; // as where a capture between two frames has seen the change
+    writer.put(1, snapshot, exact);
+    writer.finish("{}");
+    EXPECT_EQ(RunFileReader(file()).seek(1).polygons, snapshot.polygons);
+}
+
 TEST_F(RunFile, FindsAFrameInAnyOrder)
 {
     const RecordedRun run = test::recordRun(someScene("torus", 40), file());
