@@ -207,7 +207,7 @@ RunLength estimatedLength(const Scene& scene, const LoadedMesh& mesh, const Simu
                : RunLength{};
 }
 
-/// Keeps all states of a run. Where the disk is full its file stays, so that it can begin again.
+/// Keeps all states of a run. Where the disk is full, a file by which it can begin again stays.
 SimulatedRun simulateBefore(BegunRun& begun, Simulation& simulation, const FillRequest& request,
                             const FillObserver& observer)
 {

@@ -147,6 +147,14 @@ BegunRun::BegunRun(const FillRequest& request, const LoadedMesh& mesh, const Sim
 {
 }
 
+void BegunRun::stay()
+{
+    if (path_.filename() == kBegunFile)
+    {
+        path_.clear();
+    }
+}
+
 BegunRun::~BegunRun()
 {
     std::error_code none;

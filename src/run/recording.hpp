@@ -54,8 +54,8 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] RunFileWriter& file() { return file_; }
-    /// Leaves the file behind.
-    void stay() { path_.clear(); }
+    /// Leaves the file behind, if a run can begin again by it.
+    void stay();
 
 private:
     std::filesystem::path path_;

@@ -176,6 +176,17 @@ TEST_F(Resume, GoesOnAfterADiskWasFull)
     }
 }
 
+TEST_F(Resume, NeedsNoStatesOfARunThatIsNotKeptAndThatFoundNoRoom)
+{
+    const Answer full = test::runProgram(kRuns[0] + "--set frames.keep_run=false --out killed",
+                                         folder_.path(), "ulimit -f 20;");
+    EXPECT_EQ(full.code, 74) << full.errors;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_ / "killed"))
+    {
+        EXPECT_NE(entry.path().extension(), ".frost") << entry.path();
+    }
+}
+
 TEST_F(Resume, LeavesPicturesThatAreThereAsTheyAre)
 {
     complete(kRuns[0]);
