@@ -2,7 +2,6 @@
 #include "render/raster/surface_tiles.hpp"
 
 #include "render/picture/for_all.hpp"
-#include "render/picture/painter_settings.hpp"
 #include "render/picture/sphere_draw_list.hpp"
 #include "render/raster/lanes/tile_grid.hpp"
 #include "render/raster/spheres/resting_tile.hpp"
@@ -68,17 +67,10 @@ void write(const SampleTile* tile, const PixelRectangle& inPicture, const TilePa
 
 } // namespace
 
-void drawSurfacesInTiles(const Snapshot& snapshot, const Viewpoint& viewpoint,
-                         const PictureSize& size, Surfaces& surfaces)
+void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView& view,
+                         const Framing& framing, const PictureSize& size, Surfaces& surfaces)
 {
-    const Framing& framing = viewpoint.framing();
-    const RenderSettings& settings = viewpoint.settings();
-    const ShaderVariant variant{.orthographic = framing.orthographic,
-                                .cutaway = settings.style.cutaway.kind != Cutaway::Kind::none};
-    const TileView view{SphereRaster::ofSurfaces(uniformsOf(framing, settings), variant, size),
-                        SphereProjector(framing, size)};
-    const std::vector<SphereInstance> sorted =
-        withIdentities(placeSpheres(snapshot, framing), framing);
+    const std::vector<SphereInstance> sorted = withIdentities(spheres, framing);
     std::vector<SphereBounds> placed(sorted.size());
     forAll(sorted.size(), kSpheresPerTask,
            [&](std::size_t i)

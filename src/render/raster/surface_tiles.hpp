@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/overlay/viewpoint.hpp"
+#include "render/framing/framing.hpp"
 #include "render/picture/surfaces.hpp"
+#include "render/raster/spheres/sphere_raster.hpp"
+
+#include <span>
 
 namespace frostfill
 {
 
-/// Draws the spheres of a snapshot for what they are and not how they look, in a picture of any
-/// size from where the viewpoint is, as SurfacePass does.
-void drawSurfacesInTiles(const Snapshot& snapshot, const Viewpoint& viewpoint,
-                         const PictureSize& size, Surfaces& surfaces);
+/// Draws spheres for what they are and not how they look, as SurfacePass does. The view's raster is
+/// one of surfaces.
+void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView& view,
+                         const Framing& framing, const PictureSize& size, Surfaces& surfaces);
 
 } // namespace frostfill

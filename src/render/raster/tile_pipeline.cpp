@@ -75,7 +75,11 @@ void TilePipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& siz
                                 Surfaces& surfaces)
 {
     follow(snapshot);
-    drawSurfacesInTiles(snapshot, viewpoint(), size, surfaces);
+    const Framing& framing = viewpoint().framing();
+    const SphereUniforms uniforms = uniformsOf(framing, viewpoint().settings());
+    const TileView view{SphereRaster::ofSurfaces(uniforms, variant_, size),
+                        SphereProjector(framing, size)};
+    drawSurfacesInTiles(placeSpheres(snapshot, framing), view, framing, size, surfaces);
 }
 
 const std::string& TilePipeline::description() const
