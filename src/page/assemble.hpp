@@ -11,7 +11,7 @@
 namespace frostfill
 {
 
-/// What a page has beside its facts: named runs of bytes, which page/data.js takes apart again.
+/// The bulk data of a page, beside its facts: named byte sequences, which page/data.js separates.
 using Sections = std::vector<std::pair<std::string, std::string>>;
 
 /// All bytes of the sections one after another, as one zlib stream in base64.

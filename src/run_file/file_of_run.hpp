@@ -10,8 +10,8 @@ namespace frostfill
 inline constexpr const char* kRunFile = "run.frost";
 /// The same of a run that is simulated before its first frame is kept.
 inline constexpr const char* kBegunFile = "begun.frost";
-/// The states of a run that is simulated before its pictures, where nothing can begin again by
-/// them.
+/// The name of the file with the states of a run that is simulated before its pictures, when no run
+/// can begin again by that file.
 inline constexpr const char* kStatesFile = "states.frost";
 
 /// Throws Error badData for the file of a run that was killed before its first frame.

@@ -7,8 +7,8 @@
 namespace frostfill
 {
 
-// What we use of OpenGL 3.3, so that no headers of it are needed to build: Debian's pull in Mesa
-// and LLVM, a third of all that the program needs to be built. Names and values are the registry's.
+// The part of OpenGL 3.3 that Frostfill uses is declared here, so that building needs no headers of
+// OpenGL: Debian's pull in Mesa and LLVM, a third of all that the program needs to be built. Names and values are the registry's.
 // NOLINTBEGIN(readability-identifier-naming)
 using GLbitfield = unsigned int;
 using GLboolean = unsigned char;

@@ -53,8 +53,9 @@ struct OpenCubes
     }
 };
 
-/// Of an empty object; none where memory is short. `probe`: the smallest sphere [r]. Cubes have an
-/// edge of kReachVoxel probes, or a larger one so that a set of them takes no more than `bytes`.
+/// Returns the open cubes of an empty object, or none if memory is short. `probe`: the smallest
+/// sphere [r]. Cubes have an edge of kReachVoxel probes, or a larger one so that a set of them takes
+/// no more than `bytes`.
 /// `unblocked`, if given, gets those of both sides that the surface does not close.
 [[nodiscard]] std::optional<OpenCubes> openCubesOf(const Surface& surface, const InsideTest& inside,
                                                    double probe, std::size_t bytes,

@@ -229,7 +229,7 @@ void Settling::advanceByImpulses(double time, double drag)
     countStep(time);
 }
 
-// Once next to nobody moves, overlaps are taken away, which contacts do not give way to any more.
+// Once almost no sphere moves, the overlaps are removed, and contacts are rigid from then on.
 bool Settling::stack()
 {
     advanceByImpulses(kTimeOfLook, kDrag);

@@ -74,7 +74,7 @@ private:
     int rows_;
 };
 
-/// What may be seen in each tile of a picture.
+/// Lists, for each tile of a picture, the things that may be visible in it.
 class TileLists
 {
 public:

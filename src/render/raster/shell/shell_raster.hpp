@@ -55,8 +55,8 @@ struct ShellPiece
 };
 
 /// The vertices of a mesh, each once for every normal that it has: a camera looks at a vertex of a
-/// smooth surface once and not in every triangle. They are in the order of the triangles, so that
-/// those of a triangle are found where the one before had its own.
+/// smooth surface once and not in every triangle. Vertices follow the order of the triangles, so
+/// that consecutive triangles read neighbouring memory.
 struct ShellVertices
 {
     explicit ShellVertices(const ShadedMesh& mesh);
