@@ -8,7 +8,9 @@ namespace frostfill
 {
 
 // The part of OpenGL 3.3 that Frostfill uses is declared here, so that building needs no headers of
-// OpenGL: Debian's pull in Mesa and LLVM, a third of all that the program needs to be built. Names and values are the registry's.
+// OpenGL: Debian's pull in Mesa and LLVM, a third of all that the program needs to be built. Names
+// and values are the registry's.
+
 // NOLINTBEGIN(readability-identifier-naming)
 using GLbitfield = unsigned int;
 using GLboolean = unsigned char;

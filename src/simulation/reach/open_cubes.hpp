@@ -54,9 +54,9 @@ struct OpenCubes
 };
 
 /// Returns the open cubes of an empty object, or none if memory is short. `probe`: the smallest
-/// sphere [r]. Cubes have an edge of kReachVoxel probes, or a larger one so that a set of them takes
-/// no more than `bytes`.
-/// `unblocked`, if given, gets those of both sides that the surface does not close.
+/// sphere [r]. Cubes have an edge of kReachVoxel probes, or a larger one so that a set of them
+/// takes no more than `bytes`. `unblocked`, if given, gets those of both sides that the surface
+/// does not close.
 [[nodiscard]] std::optional<OpenCubes> openCubesOf(const Surface& surface, const InsideTest& inside,
                                                    double probe, std::size_t bytes,
                                                    Threads& threads, CubeSet* unblocked = nullptr);
