@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -133,8 +132,7 @@ public:
     /// Whether the value was another one before. The sphere is there.
     bool set(std::size_t sphere, double value);
 
-    std::vector<std::uint32_t> bits;        ///< [#S] of uint32 or float32
-    std::optional<std::size_t> changesSeen; ///< internal: where the next capture continues
+    std::vector<std::uint32_t> bits; ///< [#S] of uint32 or float32
 
 private:
     const Column* column_;

@@ -8,33 +8,10 @@
 namespace frostfill
 {
 
-/// What a sample of measurements looks like. All zero for an empty sample.
-struct Distribution
-{
-    std::size_t count = 0;
-    double mean = 0;
-    double median = 0;
-    double p95 = 0; ///< nearest rank: the smallest value that 95 % do not exceed
-    double p99 = 0;
-    double least = 0;
-    double greatest = 0;
-};
-[[nodiscard]] Distribution describe(std::vector<double> values);
-
 [[nodiscard]] double mean(std::span<const double> values);
 
 /// The nearest-rank percentile: the smallest value that `share` (0..1) of all do not exceed.
 /// Reorders the values; 0 for none.
 [[nodiscard]] double percentile(std::vector<double>& values, double share);
-
-/// Mean of repeated runs, and half the width of its 95 % confidence interval (Student's t). The
-/// half-width is 0 for fewer than two values: nothing is known then.
-struct RepeatedMean
-{
-    double mean = 0;
-    double halfWidth = 0;
-    double least = 0; ///< of the runs: what disturbances have added least to
-};
-[[nodiscard]] RepeatedMean meanOfRepeats(std::span<const double> runs);
 
 } // namespace frostfill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fps/fps_study.hpp"
 
+#include "base/statistics.hpp"
 #include "fps/fps_run.hpp"
 #include "fps/picture_timing.hpp"
 

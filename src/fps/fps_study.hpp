@@ -3,7 +3,7 @@
 // beside ours.
 #pragma once
 
-#include "base/statistics.hpp"
+#include "fps/repeats.hpp"
 
 #include <frostfill/renderer.hpp>
 #include <frostfill/scene.hpp>

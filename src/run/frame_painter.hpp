@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/own_threads.hpp"
 #include "base/resources.hpp"
 #include "run/frame_drawer.hpp"
+#include "run/ordered_worker.hpp"
 
 #include <tbb/global_control.h>
 
@@ -68,7 +68,7 @@ private:
     PicturePlan plan_;
     std::function<bool()> stopRequested_;
     std::unique_ptr<FrameDrawer> drawer_; ///< of the other thread
-    OrderedWorker drawing_{1};            ///< last: it uses the drawer
+    OrderedWorker drawing_;               ///< last: it uses the drawer
 };
 
 } // namespace frostfill

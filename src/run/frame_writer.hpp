@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "base/own_threads.hpp"
+#include "run/ordered_worker.hpp"
 
 #include <frostfill/output.hpp>
 #include <frostfill/view.hpp>
@@ -64,7 +64,7 @@ private:
     std::vector<std::vector<double>> milliseconds_;
     std::array<Copy, 3> copies_; ///< one is filled, one waits, one is being written
     std::size_t next_ = 0;
-    OrderedWorker worker_{1}; ///< last: it uses all the others
+    OrderedWorker worker_; ///< last: it uses all the others
 };
 
 } // namespace frostfill

@@ -139,100 +139,69 @@ SignedDistance signedDistance(const Surface& surface, std::uint32_t id, const Ei
     return withSide(surface, id, p, unsignedDistance(surface, id, p));
 }
 
-SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,
-                               const Eigen::Vector3d& p, double distance)
-{
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    UnsignedDistance nearest{kInfinity, {}};
-    std::uint32_t nearestId = 0;
-    double limit = distance;
-    for (const std::uint32_t id : ids)
-    {
-        if (!surface.bound(id).mayBeWithin(limit, p))
-        {
-            continue;
-        }
-        const UnsignedDistance candidate = unsignedDistance(surface, id, p);
-        if (candidate.value < nearest.value)
-        {
-            nearest = candidate;
-            nearestId = id;
-            limit = std::min(limit, candidate.value);
-        }
-    }
-    if (std::isinf(nearest.value))
-    {
-        return {kInfinity, nearest.closest.point, nearest.closest.feature};
-    }
-    return withSide(surface, nearestId, p, nearest);
-}
-
 namespace
 {
 
-/// By how much something has to be farther than the nearest of p so that rounding does not hide
-/// that it is nearer: a share of the distance and of the coordinates.
-class Beyond
+/// The nearest of the triangles that it meets, the first of several.
+class NearestTriangle
 {
 public:
-    Beyond(const Surface& surface, const Eigen::Vector3d& p)
-        : rounding_(kOfCoordinates * (p.cwiseAbs().maxCoeff() + surface.box().sizes().maxCoeff()))
+    NearestTriangle(const Surface& surface, const Eigen::Vector3d& p, double distance)
+        : surface_(surface), p_(p), limit_(distance)
     {
     }
-    [[nodiscard]] double operator()(double distance) const
+    void meet(std::uint32_t id)
     {
-        return distance * (1 + kOfDistance) + rounding_;
+        const UnsignedDistance its = unsignedDistance(surface_, id, p_);
+        if (its.value <= limit_ && (its.value < nearest_.value || id < id_))
+        {
+            nearest_ = its;
+            id_ = id;
+            limit_ = its.value;
+        }
+    }
+    /// What is farther than this is not the nearest.
+    [[nodiscard]] double limit() const { return limit_; }
+    [[nodiscard]] SignedDistance found() const
+    {
+        return std::isinf(nearest_.value) ? SignedDistance{nearest_.value, nearest_.closest.point}
+                                          : withSide(surface_, id_, p_, nearest_);
     }
 
 private:
-    static constexpr double kOfDistance = 1e-9;     // [1]
-    static constexpr double kOfCoordinates = 1e-13; // [1]
-    double rounding_;
+    const Surface& surface_;
+    const Eigen::Vector3d& p_;
+    double limit_;
+    UnsignedDistance nearest_{std::numeric_limits<double>::infinity(), {}};
+    std::uint32_t id_ = 0;
 };
 
 } // namespace
 
-// Of those that may be nearest but for rounding, the list decides, as it would among all.
-SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p, double distance)
+SignedDistance nearestDistance(const Surface& surface, std::span<const std::uint32_t> ids,
+                               const Eigen::Vector3d& p, double distance)
 {
-    const Beyond beyond(surface, p);
-    struct Candidate
+    NearestTriangle nearest(surface, p, distance);
+    for (const std::uint32_t id : ids)
     {
-        double distance;
-        std::uint32_t id;
-    };
-    thread_local std::vector<Candidate> candidates; // keep their memory
-    thread_local std::vector<std::uint32_t> ids;
-    candidates.clear();
-    UnsignedDistance nearest;
-    double limit = beyond(distance);
-    surface.tree().forEachTriangleNear(p, limit,
-                                       [&](std::uint32_t id)
-                                       {
-                                           const UnsignedDistance its =
-                                               unsignedDistance(surface, id, p);
-                                           if (its.value <= limit)
-                                           {
-                                               candidates.push_back({its.value, id});
-                                               nearest = its;
-                                               limit = std::min(limit, beyond(its.value));
-                                           }
-                                           return limit;
-                                       });
-    ids.clear();
-    for (const Candidate& each : candidates)
-    {
-        if (each.distance <= limit)
+        if (surface.bound(id).mayBeWithin(nearest.limit(), p))
         {
-            ids.push_back(each.id);
+            nearest.meet(id);
         }
     }
-    if (ids.size() == 1 && ids.front() == candidates.back().id)
-    {
-        return withSide(surface, ids.front(), p, nearest); // the last one that came nearer
-    }
-    std::sort(ids.begin(), ids.end());
-    return nearestDistance(surface, ids, p);
+    return nearest.found();
+}
+
+SignedDistance nearestDistance(const Surface& surface, const Eigen::Vector3d& p, double distance)
+{
+    NearestTriangle nearest(surface, p, distance);
+    surface.tree().forEachTriangleNear(p, distance,
+                                       [&](std::uint32_t id)
+                                       {
+                                           nearest.meet(id);
+                                           return nearest.limit();
+                                       });
+    return nearest.found();
 }
 
 } // namespace frostfill

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/context/context.hpp"
 
-#include "base/own_threads.hpp"
 #include "base/resources.hpp"
+#include "render/context/watchdog.hpp"
 
 #include <frostfill/error.hpp>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/columns/column_capture.hpp"
 
-#include "base/threads.hpp"
+#include "simulation/quality/contact_network.hpp"
+#include "simulation/quality/equilibrium.hpp"
 
 #include <frostfill/columns.hpp>
 #include <frostfill/simulation.hpp>
 
 #include <algorithm>
-#include <utility>
 
 namespace frostfill
 {
@@ -29,108 +29,89 @@ SphereRecord recordOf(const World& world, std::size_t id)
             world.spheres.state(id), world.clock.stray && world.clock.stray->sphere == id};
 }
 
+namespace
+{
+
+/// A component, x, y, z or w, of the quaternion by which a sphere has turned since it appeared, in
+/// mesh coordinates. Of the two quaternions of an orientation it is the one whose real part is not
+/// negative.
+double orientationOf(const World& world, std::uint32_t id, char component)
+{
+    if (id >= world.orientations.size())
+    {
+        return component == 'w' ? 1 : 0;
+    }
+    const Eigen::Quaterniond& q = world.orientations[id];
+    const double sign = q.w() < 0 ? -1 : 1;
+    return component == 'w'
+               ? sign * q.w()
+               : sign * world.frame.toMeshOffset(q.vec())[component - 'x'] / world.frame.length;
+}
+
+} // namespace
+
+// They are found for all at once after a sphere has come to rest or woken, or the object has moved.
+const std::vector<double>* ColumnCapture::valuesAtRest(const Column& column)
+{
+    const auto find = column.name == "contacts"    ? contactsAtRest
+                      : column.name == "unbalance" ? unbalanceAtRest
+                                                   : nullptr;
+    if (find == nullptr)
+    {
+        return nullptr;
+    }
+    AtRest now{world_.spheres.changeCount(), world_.pull.uniform, world_.pull.spin};
+    const auto [known, isNew] = atRest_.try_emplace(&column);
+    if (isNew || !known->second.isOf(now))
+    {
+        now.values = find(world_);
+        known->second = std::move(now);
+    }
+    return &known->second.values;
+}
+
+void ColumnCapture::update(ColumnValues& values, std::vector<std::uint32_t>& changed)
+{
+    const Column& column = values.column();
+    const std::vector<double>* atRest = column.compute ? nullptr : valuesAtRest(column);
+    const bool isOrientation = column.partOf == kOrientation;
+    values.bits.resize(world_.spheres.size());
+    for (std::uint32_t id = 0; id < values.bits.size(); ++id)
+    {
+        const bool runs = world_.spheres.isRunning(id);
+        const bool has = column.of == ColumnOf::all || runs == (column.of == ColumnOf::running);
+        const double value = !has             ? 0
+                             : column.compute ? column.compute(id, recordOf(world_, id))
+                             : atRest         ? (*atRest)[world_.spheres.row(id)]
+                             : isOrientation  ? orientationOf(world_, id, column.name.back())
+                                              : 0;
+        if (values.set(id, value))
+        {
+            changed.push_back(id);
+        }
+    }
+}
+
 void ColumnCapture::fill(Snapshot& snapshot)
 {
-    if (snapshot.columns.empty())
-    {
-        return;
-    }
+    auto& changed = snapshot.changed;
     for (ColumnValues& values : snapshot.columns)
     {
-        fillColumn(values, snapshot);
+        update(values, changed);
     }
-    auto& changed = snapshot.changed;
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
 }
 
-void ColumnCapture::fillColumn(ColumnValues& values, Snapshot& snapshot)
-{
-    const Column& column = values.column();
-    const std::size_t count = snapshot.states.size();
-    WorldColumn* source = sourceOf(column);
-    const std::size_t changedBefore = snapshot.changed.size();
-    const auto look = [&](std::uint32_t id) { values.set(id, valueOf(column, source, id)); };
-    const auto seen = std::exchange(values.changesSeen, 0);
-    if (source != nullptr)
-    {
-        source->update();
-        const auto changes = source->changes();
-        for (const std::uint32_t id : changes.subspan(seen.value_or(changes.size())))
-        {
-            if (id < count)
-            {
-                look(id);
-                // Even if it is what it was: another snapshot may have told of a value between.
-                snapshot.changed.push_back(id);
-            }
-        }
-        values.changesSeen = changes.size();
-    }
-    for (std::size_t k = 0; k < changedBefore; ++k)
-    {
-        look(snapshot.changed[k]);
-    }
-    for (std::uint32_t id = 0; id < count && !seen; ++id) // asked for only now
-    {
-        look(id);
-        snapshot.changed.push_back(id);
-    }
-}
-
 std::vector<ColumnValues> ColumnCapture::all()
 {
-    constexpr std::size_t kInPart = 4096; // spheres that one thread looks at in one go
     std::vector<ColumnValues> columns = carriedColumns(askedColumns(world_.scene));
-    const std::size_t count = world_.spheres.size();
-    Threads threads(world_.scene.threads);
+    std::vector<std::uint32_t> all;
     for (ColumnValues& values : columns)
     {
-        WorldColumn* source = sourceOf(values.column());
-        if (source != nullptr)
-        {
-            source->update(); // with all threads, before each of them asks
-        }
-        values.bits.resize(count);
-        forEachPart(threads, count, kInPart,
-                    [&](std::size_t first, std::size_t last, std::size_t)
-                    {
-                        for (std::size_t id = first; id < last; ++id)
-                        {
-                            values.set(id, valueOf(values.column(), source,
-                                                   static_cast<std::uint32_t>(id)));
-                        }
-                    });
+        update(values, all);
     }
     return columns;
-}
-
-WorldColumn* ColumnCapture::sourceOf(const Column& column)
-{
-    const auto maker = worldColumns().find(column.name);
-    if (column.compute || maker == worldColumns().end())
-    {
-        return nullptr;
-    }
-    std::unique_ptr<WorldColumn>& source = sources_[&column];
-    if (!source)
-    {
-        source = maker->second(world_);
-    }
-    return source.get();
-}
-
-double ColumnCapture::valueOf(const Column& column, const WorldColumn* source,
-                              std::uint32_t id) const
-{
-    const bool runs = world_.spheres.isRunning(id);
-    if (column.of != ColumnOf::all && runs != (column.of == ColumnOf::running))
-    {
-        return 0;
-    }
-    return source != nullptr ? source->value(id)
-           : column.compute  ? column.compute(id, recordOf(world_, id))
-                             : 0;
 }
 
 } // namespace frostfill

@@ -35,7 +35,8 @@ public:
                               double farthest = std::numeric_limits<double>::infinity(),
                               Eigen::AlignedBox3d* seen = nullptr) const;
 
-    /// Takes p straight down to its first contact. False, and p stays, where there is none.
+    /// Takes p, which is clear of everything, straight down to its first contact. False, and p
+    /// stays, where there is none: p is then outside the object.
     bool drop(Eigen::Vector3d& p, double radius, Eigen::AlignedBox3d* seen = nullptr) const;
 
 private:

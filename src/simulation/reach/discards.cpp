@@ -18,9 +18,6 @@ namespace frostfill
 namespace
 {
 
-/// New spheres that are looked at together. Larger: more memory, for those that go at once.
-constexpr std::uint32_t kAtOnce = 1U << 12U;
-
 const Eigen::Vector3d kUnknown = Eigen::Vector3d::Constant(std::nan(""));
 
 // Small spheres of a size curve pass between large ones and get everywhere.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "base/random.hpp"
-#include "simulation/columns/world_columns.hpp"
-#include "simulation/quality/contact_network.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
+#include "unit/simulation/columns/captured_column.hpp"
 #include "unit/simulation/columns/contacts_oracle.hpp"
 #include "unit/simulation/engine/small_torus.hpp"
 #include "unit/simulation/quality/packing.hpp"
@@ -13,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <set>
 
 namespace frostfill
 {
@@ -59,9 +57,8 @@ void doSomething(World& world, std::uint64_t k)
 TEST(ContactsColumn, FollowsWhateverHappens)
 {
     const auto world = smallWorld(room());
-    ColumnAtRest column(*world, contactsAtRest);
+    test::CapturedColumn column(*world, "contacts");
     std::vector<double> before;
-    std::size_t seen = 0;
     std::size_t most = 0;
     for (std::uint64_t k = 0; k < 3000; ++k)
     {
@@ -70,21 +67,17 @@ TEST(ContactsColumn, FollowsWhateverHappens)
         {
             continue; // several things between two looks
         }
-        column.update();
-        const auto changes = column.changes().subspan(seen);
-        const std::set<std::uint32_t> told(changes.begin(), changes.end());
-        seen = column.changes().size();
+        const std::vector<std::uint32_t>& told = column.capture();
+        before.resize(world->spheres.size());
         for (std::uint32_t id = 0; id < world->spheres.size(); ++id)
         {
-            const double now = column.value(id);
+            const double now = column[id];
             const test::CountedContacts expected = test::countContacts(*world, id);
             ASSERT_EQ(now, expected.spheres + expected.walls) << id << " after " << k;
-            ASSERT_TRUE(told.contains(id) || (id < before.size() ? before[id] : 0) == now) << id;
-            before.resize(std::max<std::size_t>(before.size(), id + 1));
+            ASSERT_EQ(std::binary_search(told.begin(), told.end(), id), before[id] != now) << id;
             before[id] = now;
             most = std::max<std::size_t>(most, expected.spheres);
         }
-        before.resize(world->spheres.size());
     }
     EXPECT_GE(most, 6u);
 }
@@ -92,42 +85,33 @@ TEST(ContactsColumn, FollowsWhateverHappens)
 TEST(ContactsColumn, ForgetsWhatTheNumberOfARunningSphereHadAtRest)
 {
     const auto world = smallWorld(room());
-    ColumnAtRest column(*world, contactsAtRest);
+    test::CapturedColumn column(*world, "contacts");
     const std::uint32_t runs = world->spheres.add({5, 5, 5}, 1, 0);
     addResting(*world, {0, 0, 0});
     const std::uint32_t last = addResting(*world, {2, 0, 0});
-    column.update();
-    EXPECT_EQ(column.value(last), 1);
+    column.capture();
+    EXPECT_EQ(column[last], 1);
     world->spheres.withdraw(runs); // its number goes to the last one
     world->spheres.closeRanks();
     ASSERT_EQ(world->spheres.add({5, 5, 5}, 1, 0), last);
-    column.update();
-    EXPECT_EQ(column.value(last), 0);
-    EXPECT_EQ(column.value(runs), 1);
+    column.capture();
+    EXPECT_EQ(column[last], 0);
+    EXPECT_EQ(column[runs], 1);
 }
 
 TEST(ContactsColumn, LooksAgainBesideASphereThatWokeAndWasWithdrawn)
 {
     const auto world = smallWorld(room());
-    ColumnAtRest column(*world, contactsAtRest);
+    test::CapturedColumn column(*world, "contacts");
     const std::uint32_t stays = addResting(*world, {0, 0, 0});
     const std::uint32_t goes = addResting(*world, {2, 0, 0});
-    column.update();
-    EXPECT_EQ(column.value(stays), 1);
+    column.capture();
+    EXPECT_EQ(column[stays], 1);
     world->spheres.wake(goes);
     world->spheres.withdraw(goes);
     world->spheres.closeRanks();
-    column.update();
-    EXPECT_EQ(column.value(stays), 0);
-}
-
-TEST(ContactsColumn, CountsWithoutBeingBroughtUpToDate)
-{
-    const auto world = smallWorld(room());
-    const ColumnAtRest column(*world, contactsAtRest);
-    const auto low = addResting(*world, {0, -9, 0});
-    addResting(*world, {0, -7, 0});
-    EXPECT_EQ(column.value(low), 2);
+    column.capture();
+    EXPECT_EQ(column[stays], 0);
 }
 
 /// A snapshot that asks for all columns.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "oracle/rest.hpp"
-#include "simulation/columns/world_columns.hpp"
 #include "simulation/quality/equilibrium.hpp"
 #include "support/shapes.hpp"
 #include "support/small_world.hpp"
+#include "unit/simulation/columns/captured_column.hpp"
 #include "unit/simulation/engine/small_torus.hpp"
 #include "unit/simulation/quality/packing.hpp"
 
@@ -27,45 +27,41 @@ TEST(UnbalanceColumn, KnowsWhatIsMissingOnEachSphereAtRest)
     addResting(*world, {1, -9, 0});
     const auto top = addResting(*world, {0, -9 + std::sqrt(3.0), 0});
     const auto hangs = addResting(*world, {-6, 0, 0});
-    const ColumnAtRest column(*world, unbalanceAtRest);
-    EXPECT_EQ(column.value(runs), 0);
-    EXPECT_NEAR(column.value(stands), 0, 1e-3);
-    EXPECT_NEAR(column.value(top), oracle::sinkingBetweenTwo(), 0.01);
-    EXPECT_NEAR(column.value(left), oracle::sinkingBetweenTwo() * std::sqrt(3.0), 0.01);
-    EXPECT_EQ(column.value(hangs), 1);
+    test::CapturedColumn column(*world, "unbalance");
+    column.capture();
+    EXPECT_EQ(column[runs], 0);
+    EXPECT_NEAR(column[stands], 0, 1e-3);
+    EXPECT_NEAR(column[top], oracle::sinkingBetweenTwo(), 0.01);
+    EXPECT_NEAR(column[left], oracle::sinkingBetweenTwo() * std::sqrt(3.0), 0.01);
+    EXPECT_EQ(column[hangs], 1);
 }
 
-TEST(UnbalanceColumn, TellsOfAllThatChangesWhoeverAsksInBetween)
+TEST(UnbalanceColumn, TellsOfAllThatChanges)
 {
     const auto world = smallWorld(room());
-    ColumnAtRest column(*world, unbalanceAtRest);
+    test::CapturedColumn column(*world, "unbalance");
     const auto low = addResting(*world, {0, -9, 0});
     const auto high = addResting(*world, {0, -7, 0});
-    column.update();
-    EXPECT_TRUE(column.changes().empty()) << "both stand";
+    EXPECT_TRUE(column.capture().empty()) << "both stand";
     world->spheres.wake(low);
-    EXPECT_EQ(column.value(high), 1) << "asked before the update";
-    column.update();
-    ASSERT_EQ(column.changes().size(), 1U);
-    EXPECT_EQ(column.changes().front(), high);
+    EXPECT_EQ(column.capture(), std::vector{high});
+    EXPECT_EQ(column[high], 1);
     world->spheres.freeze(low);
     world->spheres.closeRanks();
-    column.update();
-    EXPECT_EQ(column.changes().size(), 2U);
-    EXPECT_NEAR(column.value(high), 0, 1e-3);
+    EXPECT_EQ(column.capture(), std::vector{high});
+    EXPECT_NEAR(column[high], 0, 1e-3);
 }
 
 TEST(UnbalanceColumn, FollowsThePullOfAMovingObject)
 {
     const auto world = smallWorld(room());
     const auto low = addResting(*world, {0, -9, 0});
-    ColumnAtRest column(*world, unbalanceAtRest);
-    column.update();
-    EXPECT_EQ(column.value(low), 0);
+    test::CapturedColumn column(*world, "unbalance");
+    column.capture();
+    EXPECT_EQ(column[low], 0);
     world->pull.uniform = Eigen::Vector3d(1, -1, 0).normalized(); // it leans
-    column.update();
-    EXPECT_NEAR(column.value(low), std::sqrt(0.5), 1e-3);
-    EXPECT_EQ(column.changes().size(), 1U);
+    EXPECT_EQ(column.capture(), std::vector{low});
+    EXPECT_NEAR(column[low], std::sqrt(0.5), 1e-3);
 }
 
 TEST(UnbalanceColumn, JudgesUnderTheFrictionOfTheScene)
@@ -77,7 +73,7 @@ TEST(UnbalanceColumn, JudgesUnderTheFrictionOfTheScene)
     world.spheres.addResting({-1, -9, 0}, 1, 0);
     world.spheres.addResting({1, -9, 0}, 1, 0);
     const auto top = world.spheres.addResting({0, -9 + std::sqrt(3.0), 0}, 1, 0);
-    EXPECT_LT(ColumnAtRest(world, unbalanceAtRest).value(top), 0.1);
+    EXPECT_LT(unbalanceAtRest(world)[world.spheres.row(top)], 0.1);
 }
 
 TEST(UnbalanceColumn, IsCarriedOnlyWhereItIsAskedFor)

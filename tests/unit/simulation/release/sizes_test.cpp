@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scene/size_ledger.hpp"
-#include "simulation/motion/vertical_drop.hpp"
+#include "simulation/motion/drop_and_roll.hpp"
 #include "simulation/release/release_rule.hpp"
 #include "simulation/world/world.hpp"
 #include "support/expect_error.hpp"
@@ -290,9 +290,9 @@ TEST_F(SizesInLevels, FallsEndAtTheFirstSphereOfAnySize)
         {
             continue; // no place to fall from
         }
-        const std::optional<double> y = contactBelow(*world, p, radius);
-        ASSERT_TRUE(y);
-        EXPECT_NEAR(*y, highest, 1e-9);
+        Vector3d dropped = p;
+        ASSERT_TRUE(DropAndRoll(*world).drop(dropped, radius));
+        EXPECT_NEAR(dropped.y(), highest, 1e-9);
         onSpheres += highest > radius - world->height / 2 + 1e-6 ? 1 : 0;
     }
     EXPECT_GT(onSpheres, 20);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "base/own_threads.hpp"
+#include "render/context/watchdog.hpp"
 
 #include <gtest/gtest.h>
 
