@@ -4,7 +4,7 @@
 #include "analysis/container.hpp"
 #include "base/threads.hpp"
 #include "bulk/bulk.hpp"
-#include "geometry/sphere_levels.hpp"
+#include "bulk/sphere_levels.hpp"
 
 #include <frostfill/analysis.hpp>
 

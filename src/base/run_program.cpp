@@ -112,12 +112,18 @@ StartedProgram startProgram(const std::filesystem::path& folder, std::vector<std
     } while (size < 0 && errno == EINTR);
     if (size > 0)
     {
-        while (waitpid(started.id, nullptr, 0) < 0 && errno == EINTR)
-        {
-        }
-        started.id = -1;
+        waitFor(std::exchange(started.id, -1));
     }
     return started;
+}
+
+int waitFor(pid_t id)
+{
+    int status = 0;
+    while (waitpid(id, &status, 0) < 0 && errno == EINTR)
+    {
+    }
+    return status;
 }
 
 int exitCodeOf(int status)
@@ -169,11 +175,7 @@ ProgramRun runProgram(const std::filesystem::path& folder, std::vector<std::stri
     }
     output.closeWriting();
     ran.said = readAll(output.reading());
-    int status = 0;
-    while (waitpid(program.id, &status, 0) < 0 && errno == EINTR)
-    {
-    }
-    ran.code = exitCodeOf(status);
+    ran.code = exitCodeOf(waitFor(program.id));
     return ran;
 }
 

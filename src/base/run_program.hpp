@@ -51,6 +51,8 @@ struct StartedProgram
                                           std::vector<std::string> arguments,
                                           const ProgramStreams& streams, bool leads = false);
 
+/// Waits until a child has ended, and returns how, as waitpid tells it.
+int waitFor(pid_t id);
 /// Exit code of a status of `waitpid`, or 128 + the signal that has ended the program.
 [[nodiscard]] int exitCodeOf(int status);
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "base/threads.hpp"
-#include "geometry/sphere_levels.hpp"
+#include "bulk/sphere_levels.hpp"
 #include "mesh/interior/surface.hpp"
 
 #include <frostfill/bed.hpp>

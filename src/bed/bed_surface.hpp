@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bed/geodesic_sphere.hpp"
 #include "bed/links.hpp"
-#include "mesh/geodesic_sphere.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "base/threads.hpp"
 #include "bulk/bed_top.hpp"
-#include "geometry/sphere_levels.hpp"
+#include "bulk/sphere_levels.hpp"
 #include "mesh/interior/inside_test.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "export/glb_file.hpp"
 
 #include "base/atomic_file.hpp"
-#include "mesh/geodesic_sphere.hpp"
+#include "bed/geodesic_sphere.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/view.hpp>

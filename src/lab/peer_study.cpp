@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/timers.hpp"
 #include "lab/pouring.hpp"
+#include "lab/processor_time.hpp"
 #include "lab/program_peer.hpp"
 #include "lab/study.hpp"
 #include "simulation/engine/make_engine.hpp"

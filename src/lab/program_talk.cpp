@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/program_talk.hpp"
 
-#include "base/timers.hpp"
+#include "lab/processor_time.hpp"
 
 #include <fmt/format.h>
 #include <poll.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/timers.hpp"
 #include "lab/pouring.hpp"
+#include "lab/processor_time.hpp"
 #include "lab/study.hpp"
 #include "simulation/quality/quality.hpp"
 

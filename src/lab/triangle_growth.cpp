@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/triangle_growth.hpp"
 
-#include "base/timers.hpp"
+#include "lab/processor_time.hpp"
 #include "run/frame_drawer.hpp"
 
 #include <frostfill/renderer.hpp>

@@ -148,4 +148,21 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
+/// The triangles of a mesh with so many, connected over the edges for which joins(uses) holds.
+template <class Joins>
+[[nodiscard]] DisjointSets connectedOver(const EdgeTable& edges, std::size_t triangles,
+                                         Joins&& joins)
+{
+    DisjointSets sets(triangles);
+    edges.forEach(
+        [&](std::span<const EdgeUse> uses)
+        {
+            for (const EdgeUse& use : uses.subspan(joins(uses) ? 1 : uses.size()))
+            {
+                sets.join(uses[0].triangle, use.triangle);
+            }
+        });
+    return sets;
+}
+
 } // namespace frostfill

@@ -7,6 +7,7 @@
 #include "base/atomic_file.hpp"
 #include "base/read_number.hpp"
 #include "base/resources.hpp"
+#include "base/run_program.hpp"
 #include "mesh/files/readers.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
@@ -186,24 +187,21 @@ class Child
 public:
     Child(const SandboxLimits& limits, const std::function<ReadResult()>& work)
     {
-        std::array<int, 2> ends{};
-        if (pipe2(ends.data(), O_CLOEXEC) != 0)
+        if (pipe_.error() != 0)
         {
-            refuse("no pipe is available");
+            refuse("no pipe is available", pipe_.error());
         }
-        fcntl(ends[0], F_SETPIPE_SZ, kPipe);
+        fcntl(pipe_.reading(), F_SETPIPE_SZ, kPipe);
         id_ = fork();
         if (id_ == 0)
         {
-            runAsChild(limits, ends[1], work);
+            runAsChild(limits, pipe_.writing(), work);
         }
-        close(ends[1]);
-        pipe_ = ends[0];
         if (id_ < 0)
         {
-            close(pipe_);
-            refuse("no process is available");
+            refuse("no process is available", errno);
         }
+        pipe_.closeWriting();
     }
     Child(const Child&) = delete;
     Child& operator=(const Child&) = delete;
@@ -223,7 +221,7 @@ public:
         auto* to = reinterpret_cast<char*>(std::data(values));
         for (std::size_t left = std::size(values) * sizeof *std::data(values); left > 0;)
         {
-            const ssize_t count = read(pipe_, to, left);
+            const ssize_t count = read(pipe_.reading(), to, left);
             if (count == 0 || (count < 0 && errno != EINTR))
             {
                 return false;
@@ -238,24 +236,19 @@ public:
     /// is lost.
     [[nodiscard]] int end()
     {
-        close(pipe_);
-        int status = 0;
-        while (waitpid(id_, &status, 0) < 0 && errno == EINTR)
-        {
-        }
-        id_ = -1;
-        return status;
+        pipe_.closeReading();
+        return waitFor(std::exchange(id_, -1));
     }
 
 private:
-    [[noreturn]] static void refuse(const char* why)
+    [[noreturn]] static void refuse(const char* why, int error)
     {
         throw Error(
             ErrorCode::outOfMemory,
-            fmt::format("{} for reading a mesh in a child process: {}", why, std::strerror(errno)));
+            fmt::format("{} for reading a mesh in a child process: {}", why, std::strerror(error)));
     }
 
-    int pipe_ = -1;
+    Pipe pipe_;
     pid_t id_ = -1;
 };
 

@@ -87,12 +87,7 @@ public:
     {
     }
 
-    [[nodiscard]] bool contains(const Eigen::Vector3d& p) const
-    {
-        return group_.box.squaredExteriorDistance(p) <= surelyOut_ * surelyOut_ &&
-               containsNearBox(p);
-    }
-    /// The same of a point that is within the reach of the box.
+    /// Of a point that is within the reach of the box.
     [[nodiscard]] bool containsNearBox(const Eigen::Vector3d& p) const
     {
         const Eigen::AlignedBox3d& box = group_.box;
@@ -119,139 +114,125 @@ private:
     double surelyIn_;
 };
 
-/// Cells of a grid, both ends included.
-struct CellRange
-{
-    Eigen::Array3i low, high;
-};
-struct AnyRange
-{
-    bool operator()(const CellRange&) const { return true; }
-};
-
-/// Cells that may have their middle within a distance of a group of triangles: of its box, and of
-/// the plane of a triangle alone.
+/// Cells that may have their middle within a distance of a group of triangles: of its box, and of a
+/// triangle alone and its plane.
 class RowsNear
 {
 public:
     RowsNear(const GridFrame& frame, const Surface& surface, const TriangleGroup& group,
              double distance)
-        : frame_(frame), box_(group.box), bound_(surface.bound(group.triangles[0])),
-          hasPlane_(group.triangles.size() == 1 && bound_.normal.x() != 0),
-          far_(distance + kFilterRounding * frame.cell)
+        : frame_(frame), box_(group.box), triangle_(surface[group.triangles[0]]),
+          bound_(surface.bound(group.triangles[0])), isAlone_(group.triangles.size() == 1),
+          far_(distance + kFilterRounding * frame.cell),
+          isLong_(isAlone_ && box_.sizes().maxCoeff() > kLong * far_)
     {
     }
 
-    /// Around all of them.
-    [[nodiscard]] CellRange all() const
+    /// Calls visit(y, z, run) for rows with a run of such cells.
+    template <class Visit>
+    void forEachRun(Visit&& visit) const
     {
-        CellRange all{};
-        for (int axis = 0; axis < 3; ++axis)
+        const auto [lowY, highY] = rangeOf(box_, 1);
+        for (int y = lowY; y <= highY; ++y)
         {
-            const auto [first, last] =
-                frame_.centresWithin(axis, box_.min()[axis] - far_, box_.max()[axis] + far_);
-            all.low[axis] = first;
-            all.high[axis] = last;
+            const Eigen::AlignedBox3d part = partNear(frame_.centre(0, y, 0).y());
+            const auto [lowZ, highZ] = rangeOf(part, 2);
+            for (int z = lowZ; z <= highZ; ++z)
+            {
+                const CellRun run = runIn(part, frame_.centre(0, y, z));
+                if (run.first <= run.last)
+                {
+                    visit(y, z, run);
+                }
+            }
         }
-        return all;
     }
-    /// Returns those of the row whose first cell has the middle `row`.
-    [[nodiscard]] CellRun runIn(const CellRange& range, const Eigen::Vector3d& row) const
+
+private:
+    [[nodiscard]] std::array<int, 2> rangeOf(const Eigen::AlignedBox3d& box, int axis) const
     {
-        const double left = far_ * far_ - squareBeside(row.y(), 1) - squareBeside(row.z(), 2);
+        return frame_.centresWithin(axis, box.min()[axis] - far_, box.max()[axis] + far_);
+    }
+    /// Returns a box around what of the group may be near a height: the box of a long triangle has
+    /// far more cells than are near it.
+    [[nodiscard]] Eigen::AlignedBox3d partNear(double y) const
+    {
+        if (!isLong_)
+        {
+            return box_;
+        }
+        Eigen::AlignedBox3d part;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            const Eigen::Vector3d& a = triangle_.corner[k];
+            const Eigen::Vector3d edge = triangle_.corner[(k + 1) % 3] - a;
+            const auto [low, high] = std::minmax({a.y(), a.y() + edge.y()});
+            if (low > y + far_ || high < y - far_)
+            {
+                continue;
+            }
+            for (const double end : {y - far_, y + far_})
+            {
+                const double share = edge.y() != 0 ? (end - a.y()) / edge.y() : (end - y) / far_;
+                part.extend(a + std::clamp(share, 0.0, 1.0) * edge);
+            }
+        }
+        return part;
+    }
+    /// Returns the cells of the row whose first one has the middle `row`.
+    [[nodiscard]] CellRun runIn(const Eigen::AlignedBox3d& part, const Eigen::Vector3d& row) const
+    {
+        const auto squareBeside = [&](int axis)
+        {
+            const double outside =
+                std::max({0.0, part.min()[axis] - row[axis], row[axis] - part.max()[axis]});
+            return outside * outside;
+        };
+        const double left = far_ * far_ - squareBeside(1) - squareBeside(2);
         if (left < 0)
         {
-            return CellRun{0, -1};
+            return {0, -1};
         }
         const double along = std::sqrt(left);
-        double from = box_.min().x() - along;
-        double to = box_.max().x() + along;
-        if (hasPlane_)
+        double from = part.min().x() - along;
+        double to = part.max().x() + along;
+        if (const double slope = bound_.normal.x(); isAlone_ && slope != 0)
         {
-            const double inPlane =
-                row.x() + (bound_.offset - bound_.normal.dot(row)) / bound_.normal.x();
-            const double beside = far_ / std::abs(bound_.normal.x());
+            const double inPlane = row.x() + (bound_.offset - bound_.normal.dot(row)) / slope;
+            const double beside = far_ / std::abs(slope);
             from = std::max(from, inPlane - beside);
             to = std::min(to, inPlane + beside);
         }
         const auto [first, last] = frame_.centresWithin(0, from, to);
-        return CellRun{std::max(first, range.low[0]), std::min(last, range.high[0])};
+        return {first, last};
     }
 
-private:
-    [[nodiscard]] double squareBeside(double p, int axis) const
-    {
-        const double outside = std::max({0.0, box_.min()[axis] - p, p - box_.max()[axis]});
-        return outside * outside;
-    }
+    static constexpr double kLong = 4; ///< below it a layer has most of the rows
 
     const GridFrame& frame_;
     const Eigen::AlignedBox3d& box_;
+    const SurfaceTriangle& triangle_;
     const TriangleBound& bound_;
-    bool hasPlane_;
+    bool isAlone_;
     double far_;
+    bool isLong_;
 };
 
 /// Finds the cells of a grid whose middle is within `distance` of a group of triangles. Calls
-/// visit(y, z, run, isNear) for rows with a run of cells that may be, of which isNear(x) tells; a
-/// row may come in several runs. Leaves out ranges that are not worth it, of those that are not
-/// halved any more.
-template <class Visit, class IsWorthIt = AnyRange>
+/// visit(y, z, run, isNear) for rows with a run of cells that may be, of which isNear(x) tells.
+template <class Visit>
 void forEachRunNear(const GridFrame& frame, const Surface& surface, const TriangleGroup& group,
-                    double distance, Visit&& visit, IsWorthIt&& isWorthIt = {})
+                    double distance, Visit&& visit)
 {
-    constexpr int kFewCells = 10; // along an axis, up to which a range is not halved
     const NearGroup near(surface, group, distance);
-    const RowsNear rows(frame, surface, group, distance);
-    const auto visitRows = [&](const CellRange& range)
+    if (distance >= 0)
     {
-        for (int y = range.low[1]; y <= range.high[1]; ++y)
-        {
-            for (int z = range.low[2]; z <= range.high[2]; ++z)
-            {
-                const CellRun run = rows.runIn(range, frame.centre(0, y, z));
-                if (run.first <= run.last)
-                {
+        RowsNear(frame, surface, group, distance)
+            .forEachRun(
+                [&](int y, int z, CellRun run) {
                     visit(y, z, run,
                           [&](int x) { return near.containsNearBox(frame.centre(x, y, z)); });
-                }
-            }
-        }
-    };
-    // A half that the triangle is not near is left out: the box of a long triangle has far more
-    // cells than are near it.
-    const auto visitHalves = [&](auto&& self, const CellRange& range) -> void
-    {
-        int axis = 0;
-        const int longest = (range.high - range.low + 1).maxCoeff(&axis);
-        if (group.triangles.size() > 1 || longest <= kFewCells)
-        {
-            if (isWorthIt(range))
-            {
-                visitRows(range);
-            }
-            return;
-        }
-        CellRange lower = range;
-        CellRange upper = range;
-        lower.high[axis] = range.low[axis] + longest / 2 - 1;
-        upper.low[axis] = lower.high[axis] + 1;
-        for (const CellRange& half : {lower, upper})
-        {
-            // Every middle of a cell in the half is nearer to its middle than this.
-            const Eigen::Vector3d sides = frame.cell * (half.high - half.low + 1).cast<double>();
-            const Eigen::Vector3d middle =
-                frame.origin + frame.cell * half.low.cast<double>().matrix() + sides / 2;
-            if (NearGroup(surface, group, distance + sides.norm() / 2).contains(middle))
-            {
-                self(self, half);
-            }
-        }
-    };
-    const CellRange all = rows.all();
-    if (distance >= 0 && (all.low <= all.high).all())
-    {
-        visitHalves(visitHalves, all);
+                });
     }
 }
 

@@ -290,15 +290,11 @@ using Flags = std::vector<bool>; ///< [#T]
 /// The triangles of each patch of those without a flag, connected over edges of two.
 std::vector<std::vector<std::uint32_t>> findPatches(const EdgeTable& edges, const Flags& flags)
 {
-    DisjointSets sets(flags.size());
-    edges.forEach(
-        [&](std::span<const EdgeUse> uses)
-        {
-            if (uses.size() == 2 && !flags[uses[0].triangle] && !flags[uses[1].triangle])
-            {
-                sets.join(uses[0].triangle, uses[1].triangle);
-            }
-        });
+    DisjointSets sets = connectedOver(edges, flags.size(),
+                                      [&](std::span<const EdgeUse> uses) {
+                                          return uses.size() == 2 && !flags[uses[0].triangle] &&
+                                                 !flags[uses[1].triangle];
+                                      });
     std::vector<std::vector<std::uint32_t>> patches;
     std::vector<std::size_t> patchOf(flags.size());
     for (std::uint32_t t = 0; t < flags.size(); ++t)

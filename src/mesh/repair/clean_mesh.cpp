@@ -302,21 +302,6 @@ std::size_t remove(TriangleMesh& mesh, const Flags& flags)
     return eraseTriangles(mesh, [&](std::uint32_t triangle) { return flags[triangle]; });
 }
 
-/// Triangles that are connected over edges of exactly two.
-DisjointSets findPatches(const TriangleMesh& mesh, const EdgeTable& edges)
-{
-    DisjointSets patches(mesh.triangles.size());
-    edges.forEach(
-        [&](std::span<const EdgeUse> uses)
-        {
-            if (uses.size() == 2)
-            {
-                patches.join(uses[0].triangle, uses[1].triangle);
-            }
-        });
-    return patches;
-}
-
 /// Which patches end in the open and hang on an edge of more than two.
 Flags hangingPatches(const EdgeTable& edges, DisjointSets& patches, std::size_t count)
 {
@@ -374,7 +359,9 @@ std::size_t dropSheets(TriangleMesh& mesh)
 std::size_t dropFins(TriangleMesh& mesh)
 {
     const EdgeTable edges(mesh);
-    DisjointSets patches = findPatches(mesh, edges);
+    DisjointSets patches =
+        connectedOver(edges, mesh.triangles.size(),
+                      [](std::span<const EdgeUse> uses) { return uses.size() == 2; });
     Flags fins = hangingPatches(edges, patches, mesh.triangles.size());
     while (keepWhatCloses(edges, patches, fins))
     {

@@ -247,19 +247,9 @@ class Patches
 {
 public:
     Patches(const TriangleMesh& mesh, const EdgeTable& edges)
-        : sets_(mesh.triangles.size()), numbers_(mesh.triangles.size(), kNone)
+        : sets_(connectedOver(edges, mesh.triangles.size(), cancels)),
+          numbers_(mesh.triangles.size(), kNone)
     {
-        edges.forEach(
-            [&](std::span<const EdgeUse> uses)
-            {
-                if (cancels(uses))
-                {
-                    for (const EdgeUse& use : uses.subspan(1))
-                    {
-                        sets_.join(uses[0].triangle, use.triangle);
-                    }
-                }
-            });
         for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
         {
             std::size_t& number = numbers_[sets_.find(i)];

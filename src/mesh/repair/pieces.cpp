@@ -81,15 +81,8 @@ bool PieceSize::isEnvelope() const
 
 Pieces::Pieces(const TriangleMesh& mesh, const EdgeTable& edges) : of(mesh.triangles.size(), kNone)
 {
-    DisjointSets sets(mesh.triangles.size());
-    edges.forEach(
-        [&](std::span<const EdgeUse> uses)
-        {
-            for (const EdgeUse& use : uses.subspan(1))
-            {
-                sets.join(uses[0].triangle, use.triangle);
-            }
-        });
+    DisjointSets sets =
+        connectedOver(edges, mesh.triangles.size(), [](auto /*uses*/) { return true; });
     const auto originOf = [&](const Piece& piece) -> const Eigen::Vector3d&
     { return mesh.vertices[mesh.triangles[piece.triangles[0]][0]]; };
     for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle)

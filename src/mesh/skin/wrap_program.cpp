@@ -2,6 +2,7 @@
 #include "mesh/skin/wrap_program.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/read_number.hpp"
 #include "base/run_program.hpp"
 
 #include <frostfill/error.hpp>
@@ -81,15 +82,12 @@ std::vector<std::filesystem::path> placesToLook()
         places.push_back(self.parent_path().parent_path() / "libexec");
     }
     const char* path = std::getenv("PATH");
-    std::string_view rest = path != nullptr ? path : "";
-    while (!rest.empty())
+    for (const std::string_view folder : partsOf(path != nullptr ? path : "", ':'))
     {
-        const std::string_view folder = rest.substr(0, rest.find(':'));
-        if (!folder.empty() && folder[0] == '/')
+        if (folder.starts_with('/'))
         {
             places.emplace_back(folder);
         }
-        rest.remove_prefix(std::min(folder.size() + 1, rest.size()));
     }
     return places;
 }

@@ -45,7 +45,7 @@ bool mayTouch(const TriangleBound& bound, const Eigen::Vector3d& p, double radiu
     const double rise = path * bound.normal.dot(direction);
     const double nearest =
         height > 0 ? std::min(height, height + rise) : -std::max(height, height + rise);
-    return nearest < radius + kClearOfPlane &&
+    return nearest < radius + kTouch &&
            bound.mayBeWithin(radius + kReached + path / 2, p + path / 2 * direction);
 }
 

@@ -15,10 +15,6 @@ namespace frostfill
 /// radii from the origin is 1e-13. Larger: spheres stop visibly short of walls. Smaller: Newton's
 /// steps are spent on rounding.
 inline constexpr double kReached = 1e-10;
-/// A way on which a sphere is farther than this from a plane does not touch what lies in it. [r]
-/// Smaller than kReached: contacts are missed. Larger: more triangles are tested.
-inline constexpr double kClearOfPlane = 1e-8;
-
 /// Gap up to which a contact acts on a sphere that moves. [r] Larger: spheres are stopped by what
 /// they do not touch, and slide around corners before they reach them. Smaller: rounding hides a
 /// contact, and a sphere at rest trembles.

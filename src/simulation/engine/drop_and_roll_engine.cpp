@@ -36,7 +36,8 @@ DropAndRollEngine::DropAndRollEngine(World& world)
     setSize_ = std::max<std::size_t>(groupSize(world) * spheres.groupsPerSet,
                                      expectedCount(world) / kMaxSets);
     stepSize_ = std::max<std::size_t>(1, expectedCount(world) / kMaxSets);
-    world.clock.dt = kTimeOfSet * static_cast<double>(stepSize_) / static_cast<double>(setSize_);
+    // Nothing moves in time. A set counts as one unit, so that pictures show the object fill up.
+    world.clock.dt = static_cast<double>(stepSize_) / static_cast<double>(setSize_);
     if (world.spheres.size() == 0 && !release_->any())
     {
         refuseTooLarge(world);
@@ -72,7 +73,7 @@ bool DropAndRollEngine::step()
         endForWantOfPlaces(world_, *release_);
     }
     world_.clock.finished = noPlace || wantedOfSet(world_, 1) == 0;
-    world_.clock.time += kTimeOfSet * static_cast<double>(placed) / static_cast<double>(setSize_);
+    world_.clock.time += static_cast<double>(placed) / static_cast<double>(setSize_);
     if (world_.clock.finished || inSet_ == setSize_ || world_.stop.isAsked())
     {
         clock_.close(world_);

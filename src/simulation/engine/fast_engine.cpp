@@ -24,7 +24,7 @@ double timeStep(const World& world)
 {
     if (world.scene.motion.dt)
     {
-        const double longest = kLongestStep * std::sqrt(world.radii.smallest());
+        const double longest = kSkipStep * std::sqrt(world.radii.smallest());
         const double asked = *world.scene.motion.dt / world.frame.time;
         return asked / std::ceil(asked / longest);
     }
@@ -163,7 +163,7 @@ bool FastEngine::anythingMoves()
     }
     if (waker_.begin())
     {
-        sets_.openRecord(0);
+        sets_.record().open(world_, 0);
     }
     return waker_.wakeAgain();
 }
@@ -205,7 +205,7 @@ void FastEngine::solve()
             const StageTimer timer(world_.counts.times, Stage::sphereSphere);
             solver_.resolve(world_.clock.dt, [this](std::uint32_t row) { observe(row); });
         }
-        sets_.observeSolver(1e3 * (total - before));
+        sets_.record().observe(1e3 * (total - before), 0); // walls are met in flight
     }
     countTests();
     observeEnergy();
@@ -244,7 +244,7 @@ void FastEngine::finish()
 {
     endForWantOfPlaces(world_, *release_);
     world_.clock.finished = true;
-    sets_.closeRecord();
+    sets_.record().close(world_);
 }
 
 void FastEngine::observe(std::uint32_t row)

@@ -15,7 +15,9 @@ namespace frostfill
 /// Default time step [sqrt(r/g) of the smallest sphere]. Larger: contacts between running spheres
 /// are resolved less well, and spheres visibly press into one another. Smaller: time.
 inline constexpr double kStep = 0.165;
-/// The same with Motion::skip, where nothing falls from far and so nothing is fast.
+/// The same with Motion::skip, where nothing falls from far and so nothing is fast. A longer step
+/// that the user asks for is divided: gravity alone would make spheres in contact too fast to come
+/// to rest.
 inline constexpr double kSkipStep = 0.33;
 /// So much longer at most are steps of a size curve then, as for a sphere of the mean volume: most
 /// are not the smallest. [1] Larger: small ones that run press into one another for longer.
@@ -23,9 +25,6 @@ inline constexpr double kLongerForSizes = 2;
 /// The shortest step that may be asked for [sqrt(r/g) of the smallest]. Smaller: runs of which
 /// it seems not to end. Larger: a study of ever shorter steps has to stop early.
 inline constexpr double kShortestStep = 1e-6;
-/// A longer step that the user asks for is divided [sqrt(r/g) of the smallest]. Larger: gravity
-/// alone makes spheres in contact too fast to come to rest. Smaller: needless time.
-inline constexpr double kLongestStep = 0.33;
 /// The window over which a sphere is watched [sqrt(r/g)]. Larger: spheres freeze later. Smaller: a
 /// sphere at the top of its bounce seems calm.
 inline constexpr double kWindow = 0.33;
@@ -89,8 +88,5 @@ inline constexpr std::size_t kFewestAhead = 16;
 
 /// A run is recorded as at most so many sets. Larger: more pictures than anyone looks at.
 inline constexpr std::size_t kMaxSets = 200;
-/// Nothing moves in time there; a set counts as this [sqrt(r/g)], so that pictures show the object
-/// fill up.
-inline constexpr double kTimeOfSet = 1;
 
 } // namespace frostfill

@@ -66,7 +66,7 @@ void OverlapResolver::evict()
         }
         else
         {
-            withdraw(k);
+            world_.spheres.withdraw(running_.id[k]);
         }
     }
 }
@@ -76,11 +76,6 @@ void OverlapResolver::put(std::uint32_t row, const Eigen::Vector3d& place)
     running_.position[row] = place;
     flight_.around(row).invalidate(); // what comes to rest is told where it is now
     grid_.move(row, place);
-}
-
-void OverlapResolver::withdraw(std::uint32_t row)
-{
-    world_.spheres.withdraw(running_.id[row]);
 }
 
 } // namespace frostfill

@@ -37,7 +37,6 @@ public:
 private:
     void findOverlapped(std::uint32_t row, const PlacedSphere& resting);
     void put(std::uint32_t row, const Eigen::Vector3d& place);
-    void withdraw(std::uint32_t row);
 
     World& world_;
     RunningSpheres& running_;

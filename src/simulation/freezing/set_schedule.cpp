@@ -72,12 +72,6 @@ void SetSchedule::endSearch(std::size_t found)
 void SetSchedule::placed(std::size_t spheres)
 {
     startGroups();
-    openRecord(spheres);
-}
-
-void SetSchedule::openRecord(std::size_t spheres)
-{
-    record_.close(world_);
     record_.open(world_, spheres);
 }
 

@@ -54,11 +54,7 @@ public:
     /// Whether sets settle and freeze as a whole.
     [[nodiscard]] bool keepsSets() const { return keepsSets_; }
 
-    /// Begins the record of a set of so many spheres; that of the set before ends.
-    void openRecord(std::size_t spheres);
-    /// Takes one step's milliseconds between spheres into the record. Walls are met in flight.
-    void observeSolver(double sphereSphereMs) { record_.observe(sphereSphereMs, 0); }
-    void closeRecord() { record_.close(world_); }
+    [[nodiscard]] SetRecorder& record() { return record_; }
 
 private:
     void startGroups();

@@ -97,7 +97,7 @@ double wallBelow(const World& world, const Eigen::Vector3d& p, double radius, do
     const int x = frame.coordinate(p.x(), 0);
     const int z = frame.coordinate(p.z(), 2);
     Eigen::Vector3d here = p;
-    for (int y = frame.coordinate(p.y() - kJustBelow, 1); y >= 0 && here.y() > lowest; --y)
+    for (int y = frame.coordinate(p.y() - kTouch, 1); y >= 0 && here.y() > lowest; --y)
     {
         const bool isFree = bricks.find(x / kSide, y / kSide, z / kSide) == BrickTable::kNone;
         y -= isFree ? y % kSide : 0;
@@ -126,8 +126,8 @@ bool DropAndRoll::settle(Eigen::Vector3d& p, double radius, NeighbourList& aroun
     thread_local std::vector<Eigen::Vector3d> normals; // keeps its memory
     // A path loses height with every step, so it ends; the bound is for wedges that Newton's method
     // enters ever more slowly.
-    const auto bound = static_cast<std::uint64_t>(kStepsPerPath +
-                                                  kStepsPerRadiusOfHeight * world_.height / radius);
+    const auto bound =
+        static_cast<std::uint64_t>(kStepsPerRadiusOfHeight * (10 + world_.height / radius));
     for (std::uint64_t step = 0; step < bound; ++step)
     {
         look(path, p, shortestLook);

@@ -44,7 +44,7 @@ void FreeFlight::advance(std::uint32_t row, double dt)
     double left = dt;
     const double longest = dt * (velocity.norm() + strength * dt);
     const int mostParts = kMaxParts + static_cast<int>(longest / kLookAhead);
-    for (int part = 0; part < mostParts && left > kNoTimeLeft * dt; ++part)
+    for (int part = 0; part < mostParts && left > kNegligible * dt; ++part)
     {
         const double ahead = left * (velocity.norm() + strength * left);
         around.ensure(world_, position, radius, std::min(ahead, kLookAhead));
@@ -70,7 +70,7 @@ void FreeFlight::advance(std::uint32_t row, double dt)
             way = freeWay(velocity, time, pull, normals);
         }
         const double length = way.norm();
-        if (length < kMinDisplacement)
+        if (length < kNegligible)
         {
             velocity = projectToFree(velocity + time * pull, normals);
             left -= time;
@@ -172,7 +172,7 @@ void FreeFlight::shift(std::uint32_t row, const Eigen::Vector3d& displacement)
     for (int part = 0; part < kMaxShifts; ++part)
     {
         const double length = left.norm();
-        if (length < kMinDisplacement)
+        if (length < kNegligible)
         {
             return;
         }

@@ -9,12 +9,10 @@ namespace frostfill
 
 // Free flight.
 
-/// A displacement that is not worth following. [r] Larger: slow spheres stop on slopes. Smaller:
-/// directions are computed from rounding.
-inline constexpr double kMinDisplacement = 1e-12;
-/// Share of a step's time that is not worth following. Larger: a step may be cut short. Smaller:
-/// rounding adds parts to a path.
-inline constexpr double kNoTimeLeft = 1e-12;
+/// A displacement [r], and a share of a step's time, that are not worth following. Larger: slow
+/// spheres stop on slopes. Smaller: rounding gives directions, and adds parts to a path.
+inline constexpr double kNegligible = 1e-12;
+
 /// Parts of one step's path, besides those that a long path needs anyway: it ends there if it still
 /// meets contacts. Larger: spheres that rattle in a wedge take their time. Smaller: spheres lose
 /// time of flight, and so energy.
@@ -53,15 +51,8 @@ inline constexpr double kRegain = 0.2;
 /// Near the bottom of a curve the pull fades with the distance to it: a part is at most so many
 /// times that distance long. From 2 on the path swings from side to side; 1 creeps to the bottom.
 inline constexpr double kBeyondTheBottom = 1.5;
-/// Steps of a path at most: so many, and so many for each radius of the object's height. A path
-/// loses height in each, so it ends by itself except in wedges. Smaller: long slides are given up.
-inline constexpr double kStepsPerPath = 2000;
+/// Steps of a path at most, for each radius of the object's height and ten more. A path loses
+/// height in each, so it ends by itself except in wedges. Smaller: long slides are given up.
 inline constexpr double kStepsPerRadiusOfHeight = 200;
-
-// Vertical drop.
-
-/// So far below a place is the cell that a fall from it enters. [r] Larger: the fall may skip a
-/// triangle at a cell's edge. Smaller: rounding keeps it in the cell above forever.
-inline constexpr double kJustBelow = 1e-7;
 
 } // namespace frostfill

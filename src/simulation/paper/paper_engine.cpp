@@ -251,7 +251,6 @@ bool PaperEngine::releaseSet()
 
 void PaperEngine::startSet(std::size_t spheres)
 {
-    clock_.close(world_);
     clock_.open(world_, spheres);
     nextGroup_ = world_.spheres.group(world_.spheres.size() - 1) + 1;
     setIsOver_ = false;
@@ -362,7 +361,7 @@ void PaperEngine::observeRest()
     const bool timedOut = !atRest && setTime_ > setTimeLimit_;
     if (timedOut)
     {
-        clock_.markTimedOut();
+        world_.counts.sets.back().timedOut = true;
         world_.counts.overdue += running_.size();
     }
     if (atRest || timedOut)

@@ -238,18 +238,13 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
     bool found = isOpen(witness) || findPlace(
                                         beside[1], beside[2], {beside[0], beside[0]},
                                         [](int) { return true; }, isNear);
-    if (!found)
+    const double far = reach + kHalfDiagonal * cubes.frame().cell;
+    if (!found && cubes.any(open_->inside, cubes.frame().coordinates(group.box.min().array() - far),
+                            cubes.frame().coordinates(group.box.max().array() + far)))
     {
-        forEachRunNear(
-            cubes.frame(), world_.surface, group, reach + kHalfDiagonal * cubes.frame().cell,
-            [&](int y, int z, CellRun run, auto&& isCubeNear)
-            { found = found || findPlace(y, z, run, isCubeNear, isNear); },
-            [&](const CellRange& range)
-            {
-                return !found &&
-                       cubes.any(open_->inside, {range.low[0], range.low[1], range.low[2]},
-                                 {range.high[0], range.high[1], range.high[2]});
-            });
+        forEachRunNear(cubes.frame(), world_.surface, group, far,
+                       [&](int y, int z, CellRun run, auto&& isCubeNear)
+                       { found = found || findPlace(y, z, run, isCubeNear, isNear); });
     }
     before_ = found ? witness : before_;
     return found;

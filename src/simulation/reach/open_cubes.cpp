@@ -2,6 +2,7 @@
 #include "simulation/reach/open_cubes.hpp"
 
 #include "mesh/interior/near_surface.hpp"
+#include "simulation/world/tolerances.hpp"
 
 #include <limits>
 #include <utility>
@@ -17,7 +18,7 @@ std::optional<Cubes> chooseCubes(const Surface& surface, const InsideTest& insid
                                  double voxel, double largest, std::size_t bytes)
 {
     for (; voxel <= largest;
-         voxel = voxel < largest ? std::min(voxel * kGrowth, largest) : 2 * voxel)
+         voxel = voxel < largest ? std::min(voxel * kCubeGrowth, largest) : 2 * voxel)
     {
         // In floating point, for the numbers of cubes may not fit an int.
         const double longest = surface.box().sizes().maxCoeff() + 2 * margin;
@@ -27,7 +28,7 @@ std::optional<Cubes> chooseCubes(const Surface& surface, const InsideTest& insid
         }
         const GridFrame frame = GridFrame::cover(surface.box(), voxel, margin + 2 * voxel);
         const auto most = static_cast<double>(bytes / sizeof(std::uint64_t));
-        if (auto cubes = Cubes::inReach(frame, inside, most, kWholeGrid))
+        if (auto cubes = Cubes::inReach(frame, inside, most))
         {
             return cubes;
         }

@@ -47,10 +47,7 @@ struct OpenCubes
     /// R' of obstacles with contact distance R.
     [[nodiscard]] double exclusion(double contact) const { return contact - overlapOf(probe); }
     /// tau
-    [[nodiscard]] static double overlapOf(double probe)
-    {
-        return kOverlap * probe + kReachRounding;
-    }
+    [[nodiscard]] static double overlapOf(double probe) { return kOverlap * probe; }
 };
 
 /// Returns the open cubes of an empty object, or none if memory is short. `probe`: the smallest

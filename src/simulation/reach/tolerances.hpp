@@ -9,9 +9,6 @@ namespace frostfill
 // The tolerances of reach. Every one of them errs on the side of "can be reached". [r] is the run's
 // unit of length.
 
-/// Above the rounding of any coordinate. [r] Larger: fewer cubes are closed. Smaller: rounding may
-/// close a cube in which a sphere can be.
-inline constexpr double kReachRounding = 1e-9;
 /// tau, by which a running sphere may overlap what is at rest. [smallest radius] A hundred times
 /// what the engine leaves. Larger: fewer cubes are closed. Smaller: a centre may be in a closed
 /// one.
@@ -25,13 +22,6 @@ inline constexpr double kDiscardGap = 0.01;
 inline constexpr double kReachVoxel = 0.6;
 /// Edge of a cube at most, as a share of R'. Beyond it a surface may leak: see OpenCubes, 3.
 inline constexpr double kLargestVoxel = 0.7;
-/// Where memory is short, cubes grow by this factor until they fit. Larger: cubes larger than
-/// needed. Smaller: more tries.
-inline constexpr double kGrowth = 1.02;
-/// Words of a grid up to which all its cubes have words, also those outside of the object. Larger:
-/// memory for cubes outside. Smaller: searches in ordinary objects look up bricks.
-inline constexpr std::size_t kWholeGrid = std::size_t{1} << 20;
-
 /// The smallest sphere of a size curve up to which nothing is discarded: it passes between three of
 /// the largest that touch, 2 / sqrt(3) - 1. [largest radius] Larger: what is out of reach is not
 /// told. Smaller: time for looks that discard nothing.

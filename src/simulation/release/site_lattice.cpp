@@ -16,16 +16,11 @@ namespace frostfill
 namespace
 {
 
-bool isLarge(const Eigen::Vector3d& box)
-{
-    return (box.array() + 2 * kGridMargin).prod() > kLargeBox;
-}
-
-/// Of the part of a large box in which sites count [r^3].
-double volumeInReach(const Eigen::AlignedBox3d& box, const InsideTest& inside)
+/// Of what may be inside of a box with more sites than can be numbered [r^3]; else 0.
+double volumeInReach(const Eigen::AlignedBox3d& box, const InsideTest& inside, double cell)
 {
     double volume = 0;
-    if (isLarge(box.sizes()))
+    if ((box.sizes().array() / cell + 1).prod() > kMaxSites)
     {
         inside.forEachBoxInReach([&](const Eigen::AlignedBox3d& part)
                                  { volume += part.intersection(box).sizes().cwiseMax(0).prod(); });
@@ -34,17 +29,18 @@ double volumeInReach(const Eigen::AlignedBox3d& box, const InsideTest& inside)
 }
 
 /// Numbers of sites fit 32 bits; where there are too many, cells grow.
-Cubes cubesOf(const Eigen::AlignedBox3d& box, const InsideTest& inside, double cell,
-              std::size_t smallLattice)
+Cubes cubesOf(const Eigen::AlignedBox3d& box, const InsideTest& inside, double radius,
+              std::size_t whole)
 {
+    double cell = cellOfSites(box.sizes(), volumeInReach(box, inside, kSiteCell * radius), radius);
     while (true)
     {
-        if (auto cubes = Cubes::inReach(GridFrame::cover(box, cell, 0), inside, kMaxSites / 64,
-                                        smallLattice))
+        if (auto cubes =
+                Cubes::inReach(GridFrame::cover(box, cell, 0), inside, kMaxSites / 64, whole))
         {
             return *std::move(cubes);
         }
-        cell *= kCellGrowth;
+        cell *= kCubeGrowth;
     }
 }
 
@@ -52,27 +48,13 @@ Cubes cubesOf(const Eigen::AlignedBox3d& box, const InsideTest& inside, double c
 
 double cellOfSites(const Eigen::Vector3d& box, double inReach, double radius)
 {
-    const auto areTooMany = [&](double cell)
-    {
-        const Eigen::Array3d along = box.array() / cell + 1;
-        const double all = isLarge(box) ? inReach / (cell * cell * cell) : along.prod();
-        return all > kMaxSites || along.maxCoeff() > kMostCellsAlong;
-    };
-    double cell = kSiteCell * radius;
-    while (areTooMany(cell))
-    {
-        cell *= kCellGrowth;
-    }
-    return cell;
+    return std::max({kSiteCell * radius, std::cbrt(inReach / kMaxSites),
+                     box.maxCoeff() / (kMostCellsAlong - 1)});
 }
 
 SiteLattice::SiteLattice(const Surface& surface, const InsideTest& inside, double radius,
-                         Threads& threads, double coarsest, std::size_t smallLattice)
-    : radius_(radius),
-      cubes_(cubesOf(surface.box(), inside,
-                     cellOfSites(surface.box().sizes(), volumeInReach(surface.box(), inside),
-                                 std::max(radius, coarsest)),
-                     smallLattice))
+                         Threads& threads, double coarsest, std::size_t whole)
+    : radius_(radius), cubes_(cubesOf(surface.box(), inside, std::max(radius, coarsest), whole))
 {
     // Two sites side by side, none of them near the surface, are on the same side of it.
     const double least = cell() / 2 * (1 + kDistanceRounding);

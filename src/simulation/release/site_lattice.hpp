@@ -12,8 +12,8 @@
 namespace frostfill
 {
 
-/// Edge of the cells of a lattice for spheres of a radius [r]. They grow until there are few enough
-/// along each axis and in all: in the box, or, where that is large, in `inReach` of it [r^3].
+/// Edge of the cells of a lattice for spheres of a radius [r], or a larger one so that there are
+/// few enough along each axis and in `inReach` of the box [r^3].
 [[nodiscard]] double cellOfSites(const Eigen::Vector3d& box, double inReach, double radius);
 
 /// A lattice of half a radius over the object, a bit a cell: whether the cell may still hold the
@@ -26,7 +26,7 @@ public:
     /// `radius` is at most 1. `coarsest`: cells are as large as those for this radius, if it is
     /// larger; there may be places in them that no site leads to.
     SiteLattice(const Surface& surface, const InsideTest& inside, double radius, Threads& threads,
-                double coarsest = 0, std::size_t smallLattice = kSmallLattice);
+                double coarsest = 0, std::size_t whole = Cubes::kWhole);
 
     /// Closes all cells that a sphere at rest leaves no place in.
     void close(const Eigen::Vector3d& centre, double radius);

@@ -15,15 +15,8 @@ namespace frostfill
 /// push from the site reaches is missed, and "full" comes too early. Smaller: memory and time with
 /// the inverse cube.
 inline constexpr double kSiteCell = 0.5;
-/// Sites at most, whose numbers fit 32 bits; beyond it cells are larger. Not to be increased. In a
-/// box up to kLargeBox all its sites count, as they always have: the cell decides which places are
-/// tried, so results depend on it. In a larger one those in and near the object do.
+/// Sites at most, whose numbers fit 32 bits; beyond it cells are larger. Not to be increased.
 inline constexpr double kMaxSites = 4e9;
-/// Words of 64 sites up to which a lattice has those of its whole box. [1] Larger: memory for sites
-/// outside. Smaller: closing a site takes a look at bricks.
-inline constexpr std::size_t kSmallLattice = 4'000'000;
-/// Factor by which cells grow until there are few enough. Larger: coarser than need be.
-inline constexpr double kCellGrowth = 1.02;
 /// Below the highest ceiling, in which falls begin [r]. Larger: spheres appear in sight, lower
 /// down. Smaller: fewer find room at once.
 inline constexpr double kTopBand = 4;

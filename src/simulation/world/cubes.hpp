@@ -44,10 +44,15 @@ public:
     /// Words that are no cubes.
     static constexpr std::size_t kNowhere = BrickedCells<1>::kInBrick;
 
+    /// Words up to which a grid has those of its whole box. [1] Larger: memory for cubes outside.
+    /// Smaller: searches in ordinary objects look up bricks.
+    static constexpr std::size_t kWhole = std::size_t{1} << 22;
+
     Cubes() : words_({1, 1, 1}, 0) {}
     /// Of a grid of at most `whole` words all cubes. Nothing when there are more words than `most`.
-    [[nodiscard]] static std::optional<Cubes>
-    inReach(const GridFrame& frame, const InsideTest& inside, double most, std::size_t whole);
+    [[nodiscard]] static std::optional<Cubes> inReach(const GridFrame& frame,
+                                                      const InsideTest& inside, double most,
+                                                      std::size_t whole = kWhole);
 
     [[nodiscard]] const GridFrame& frame() const { return frame_; }
     [[nodiscard]] std::size_t words() const { return kNowhere + words_.size(); }

@@ -14,8 +14,8 @@ constexpr double kHigh = 0.95;
 
 void SetRecorder::open(World& world, std::size_t spheres)
 {
+    close(world);
     isOpen_ = true;
-    timedOut_ = false;
     timesAtStart_ = world.counts.times;
     operationsAtStart_ = world.counts.operations;
     stepsAtStart_ = world.clock.steps;
@@ -62,7 +62,6 @@ void SetRecorder::close(World& world)
             world.counts.times.seconds[stage] - timesAtStart_.seconds[stage];
     }
     count(world, record);
-    record.timedOut = timedOut_;
     record.operations = world.counts.operations - operationsAtStart_;
 }
 

@@ -14,17 +14,15 @@ class SetRecorder
 public:
     /// Closes the record of the set before, if any, with the world as it is now.
     void close(World& world);
-    /// Opens a record for a set of `spheres` spheres.
+    /// Opens a record for a set of `spheres` spheres, and closes the one before.
     void open(World& world, std::size_t spheres);
     /// Counts the spheres and polygons of each state.
     static void count(const World& world, SetRecord& record);
     /// Takes in one step's milliseconds.
     void observe(double sphereSphereMs, double spherePolygonMs);
-    void markTimedOut() { timedOut_ = true; }
 
 private:
     bool isOpen_ = false;
-    bool timedOut_ = false;
     StageTimes timesAtStart_;
     OperationCounts operationsAtStart_;
     std::uint64_t stepsAtStart_ = 0;

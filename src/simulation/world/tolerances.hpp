@@ -24,9 +24,9 @@ inline constexpr double kCrowdedCell = 4;
 /// What the grids have beyond the object's box. [r] A centre in contact with the outside of a wall
 /// must have a cell.
 inline constexpr double kGridMargin = 2;
-/// Cells of a radius in the box from which on the lattice of release sites counts only what is in
-/// and near the object. Not to be changed: below it, results depend on it.
-inline constexpr double kLargeBox = 1e9;
+/// Where cubes are too many for memory or their numbers, they grow by this factor until they fit.
+/// Larger: cubes larger than needed. Smaller: more tries.
+inline constexpr double kCubeGrowth = 1.02;
 /// An object with more cells inside and near its walls is refused: its grids take some ten bytes a
 /// cell, and minutes.
 inline constexpr double kMaxCells = 1e9;

@@ -191,10 +191,9 @@ World::World(const Scene& sceneOfRun, const LoadedMesh& mesh)
 }
 
 World::World(const Scene& sceneOfRun, std::shared_ptr<const ObjectOfRun> sharedObject)
-    : scene(sceneOfRun), object(std::move(sharedObject)), walls(object->walls),
-      report(object->report), frame(object->frame), surface(object->surface),
-      triangles(object->triangles), inside(object->inside), radii(object->radii.inLargest()),
-      height(surface.box().sizes().y()),
+    : scene(sceneOfRun), object(std::move(sharedObject)), report(object->report),
+      frame(object->frame), surface(object->surface), triangles(object->triangles),
+      inside(object->inside), radii(object->radii.inLargest()), height(surface.box().sizes().y()),
       motion(scene.move, frame, height), pull{.uniform = {0, -frame.gravity, 0}},
       spheres(gridOver(surface, kSphereCell), finerLevelsOf(radii)),
       polygons(surface.size(), PolygonState::active)

@@ -64,8 +64,7 @@ struct World
     // The object.
     Scene scene;
     std::shared_ptr<const ObjectOfRun> object;
-    const Walls& walls; // these are the object's
-    const MeshReport& report;
+    const MeshReport& report; // these are the object's
     const FrameOfRun& frame;
     const Surface& surface;
     const TriangleGrid& triangles;

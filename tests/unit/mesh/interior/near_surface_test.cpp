@@ -135,52 +135,6 @@ TEST(NearSurface, OfALongTriangleLooksAtRowsBesideIt)
     EXPECT_LT(runs, 300000u); // of eight cells at most; its box has 1.7e7 rows
 }
 
-TEST(NearSurface, LooksOnlyAtRangesThatAreWorthIt)
-{
-    for (const double size : {90.0, 3.0}) // of a triangle that is halved, and of one that is not
-    {
-        const Surface surface(triangle({0, 0, 0}, {size, size, size}, {size, size, size / 4}));
-        const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5);
-        const std::array<std::uint32_t, 1> only = {0};
-        const TriangleGroup group{only, surface.box()};
-        for (const int kept : {0, 1})
-        {
-            std::vector<CellRange> worth;
-            int asked = kept;
-            std::multiset<std::array<int, 3>> found;
-            forEachRunNear(
-                frame, surface, group, 1.3,
-                [&](int y, int z, CellRun run, auto&&) {
-                    found.insert({run.first, y, z});
-                },
-                [&](const CellRange& range)
-                {
-                    const bool isWorthIt = asked++ % 2 == 0;
-                    if (isWorthIt)
-                    {
-                        worth.push_back(range);
-                    }
-                    return isWorthIt;
-                });
-            std::multiset<std::array<int, 3>> expected;
-            forEachRunNear(frame, surface, group, 1.3,
-                           [&](int y, int z, CellRun run, auto&&)
-                           {
-                               const Eigen::Array3i cell(run.first, y, z);
-                               for (const CellRange& range : worth)
-                               {
-                                   if ((cell >= range.low).all() && (cell <= range.high).all())
-                                   {
-                                       expected.insert({run.first, y, z});
-                                   }
-                               }
-                           });
-            EXPECT_EQ(found.empty(), size < 9 && kept == 1);
-            EXPECT_EQ(found, expected);
-        }
-    }
-}
-
 /// How many cells, by their number, are found near the surface.
 std::vector<std::atomic<int>> countNear(const Surface& surface, const GridFrame& frame,
                                         double distance, int threadCount)

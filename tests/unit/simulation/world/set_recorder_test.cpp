@@ -30,7 +30,6 @@ TEST(SetRecorder, RecordsWhatCountersGainedWhileTheSetWasTheNewest)
     world->spheres.discard(addResting(*world, {3, 0, 0}));
     world->spheres.add({6, 0, 0}, 1, 0);
     world->discardPolygon(0);
-    recorder.markTimedOut();
     recorder.close(*world);
 
     ASSERT_EQ(world->counts.sets.size(), 1u);
@@ -48,7 +47,6 @@ TEST(SetRecorder, RecordsWhatCountersGainedWhileTheSetWasTheNewest)
     EXPECT_EQ(set.frozen, 1u);
     EXPECT_EQ(set.discarded, 1u);
     EXPECT_EQ(set.discardedPolygons, 1u);
-    EXPECT_TRUE(set.timedOut);
 }
 
 TEST(SetRecorder, StartsEachSetAnew)
@@ -57,7 +55,6 @@ TEST(SetRecorder, StartsEachSetAnew)
     SetRecorder recorder;
     recorder.open(*world, 1);
     recorder.observe(50, 60);
-    recorder.markTimedOut();
     recorder.close(*world);
     recorder.open(*world, 2);
     recorder.observe(1, 2);
@@ -67,7 +64,6 @@ TEST(SetRecorder, StartsEachSetAnew)
     EXPECT_EQ(world->counts.sets[1].set, 1u);
     EXPECT_EQ(world->counts.sets[1].meanSphereSphereMs, 1);
     EXPECT_EQ(world->counts.sets[1].p95SpherePolygonMs, 2);
-    EXPECT_FALSE(world->counts.sets[1].timedOut);
 }
 
 } // namespace

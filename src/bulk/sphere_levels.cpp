@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "geometry/sphere_levels.hpp"
+#include "bulk/sphere_levels.hpp"
 
 #include "base/buckets.hpp"
 

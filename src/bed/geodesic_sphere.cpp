@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/geodesic_sphere.hpp"
+#include "bed/geodesic_sphere.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mesh/interior/thickness.hpp"
-
+#include "scene/thick_parts.hpp"
 #include "support/shapes.hpp"
 #include "unit/mesh/mesh_samples.hpp"
 
