@@ -75,8 +75,8 @@ void forEachGroup(const Surface& surface, double longest, Visit&& visit)
     forEachGroup(surface, longest, one, visit);
 }
 
-/// Whether points are within `reach` of a group of triangles. Its box decides of most, and the
-/// triangles' planes; the nearest of their points is looked for where those do not.
+/// Whether points are within `reach` of a group of triangles. The triangles' planes and discs
+/// decide of most; the nearest of their points is looked for where those do not.
 class NearGroup
 {
 public:
@@ -87,13 +87,9 @@ public:
     {
     }
 
-    /// Of a point that is within the reach of the box.
-    [[nodiscard]] bool containsNearBox(const Eigen::Vector3d& p) const
+    [[nodiscard]] bool contains(const Eigen::Vector3d& p) const
     {
-        const Eigen::AlignedBox3d& box = group_.box;
-        return (p - box.min()).cwiseAbs().cwiseMax((p - box.max()).cwiseAbs()).squaredNorm() <=
-                   surelyIn_ * surelyIn_ ||
-               std::any_of(group_.triangles.begin(), group_.triangles.end(),
+        return std::any_of(group_.triangles.begin(), group_.triangles.end(),
                            [&](std::uint32_t t) { return isNear(t, p); });
     }
     /// Of one triangle.
@@ -229,10 +225,8 @@ void forEachRunNear(const GridFrame& frame, const Surface& surface, const Triang
     {
         RowsNear(frame, surface, group, distance)
             .forEachRun(
-                [&](int y, int z, CellRun run) {
-                    visit(y, z, run,
-                          [&](int x) { return near.containsNearBox(frame.centre(x, y, z)); });
-                });
+                [&](int y, int z, CellRun run)
+                { visit(y, z, run, [&](int x) { return near.contains(frame.centre(x, y, z)); }); });
     }
 }
 

@@ -64,16 +64,14 @@ double castAtTriangle(const Surface& surface, std::uint32_t id, const Eigen::Vec
         const double gap = wall.value - radius;
         const double approach = (point - here).dot(direction) / wall.value;
         const double next = path + gap / approach;
-        // What is too far to matter need not be asked for its side.
         if (approach < kSlides || (gap >= kReached && next >= limit))
         {
             return limit;
         }
         // Along a plane the next triangle of the same plane is no obstacle, though the edge between
         // them comes nearer.
-        if (withSide(surface, id, here, wall).value <= kOtherSheet ||
-            (surface[id].isFlat(feature) &&
-             std::abs(surface.bound(id).normal.dot(direction)) < kSlidesAlongPlane))
+        if (surface[id].isFlat(feature) &&
+            std::abs(surface.bound(id).normal.dot(direction)) < kSlidesAlongPlane)
         {
             return limit;
         }

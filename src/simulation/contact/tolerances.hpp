@@ -86,11 +86,6 @@ inline constexpr double kParallel = 1e-9;
 
 // Sphere cast.
 
-/// A triangle whose back is turned to the centre from farther away than this belongs to another
-/// sheet of a thin wall. [r] Nearer to zero: a centre that is a little beyond a wall falls through
-/// it. Farther: walls thinner than that stop spheres on their other side.
-inline constexpr double kOtherSheet = -0.5;
-
 /// Newton's steps at most. The method converges quadratically; more steps than this mean a grazing
 /// approach. Smaller: spheres stop before they touch. Larger: time.
 inline constexpr int kNewtonSteps = 40;

@@ -25,17 +25,6 @@ Freezer::Freezer(World& world, SphereGrid& grid, const std::unique_ptr<ReleasePa
 {
 }
 
-// A pile comes to rest from below: what lies on others that still run has to wait for them.
-void Freezer::age(std::uint32_t row, double dt)
-{
-    const Eigen::Vector3d down = world_.pull.direction(running_.position[row]);
-    const std::span<const Eigen::Vector3d> normals = flight_.normals(row);
-    const bool heldUp =
-        std::any_of(normals.begin(), normals.end(),
-                    [&](const Eigen::Vector3d& normal) { return normal.dot(down) < -kHoldsUp; });
-    watch_[row].age += heldUp || !solver_.pairs().isPaired(row) ? dt : kWaiting * dt;
-}
-
 void Freezer::startWindow()
 {
     for (std::uint32_t row = 0; row < running_.size(); ++row)
@@ -177,7 +166,7 @@ void Freezer::findPlace(std::uint32_t row)
     const bool tooOld = isOverdue(row);
     const double radius = running_.radius[row];
     // In a pile one that does not give way would stir all the others.
-    const bool patient = watch_[row].stillWindows < (isPile() ? kPatienceInPile : kPatience);
+    const bool patient = isPile() || watch_[row].stillWindows < kPatience;
     if (!patient || tooOld)
     {
         solver_.velocities().stopYielding(row);

@@ -29,8 +29,8 @@ public:
             FreeFlight& flight, PositionSolver& solver, Threads& threads, double ageLimit);
 
     /// To be called in each step for each runner after its flight, on any thread: it is older by
-    /// `dt` at most.
-    void age(std::uint32_t row, double dt);
+    /// `dt`.
+    void age(std::uint32_t row, double dt) { watch_[row].age += dt; }
     /// Windows begin where the runners are now.
     void startWindow();
     /// To be called at the end of each window.

@@ -33,17 +33,6 @@ inline constexpr double kLongestSettling = 0.15;
 /// another.
 inline constexpr std::size_t kWorthSharing = 8;
 
-// How a sphere ages, until it is overdue.
-
-/// How fast a sphere ages that only runners hold up [1]: a pile comes to rest from below. Larger:
-/// the top of a high pile is overdue before its foot has frozen. Smaller: spheres that hold one
-/// another up for good run long.
-inline constexpr double kWaiting = 0.05;
-/// Part of a contact's normal that is vertical, at least, for the contact to hold a sphere up [1].
-/// Not a share of the weight, unlike kWakes and its like: it only tells a floor from a wall.
-/// Larger: spheres in steep grooves age slowly. Smaller: what leans on a wall counts as held up.
-inline constexpr double kHoldsUp = 0.1;
-
 // How long a sphere that cannot be frozen waits, in windows in which it was calm.
 
 /// After which those in a pile freeze together. Larger: piles take longer to come to rest. Smaller:
@@ -52,8 +41,6 @@ inline constexpr std::uint32_t kStillInPile = 4;
 /// After which a sphere stops giving way to others, so that it comes down to something at rest.
 /// Larger: it is pushed about longer. Smaller: it pushes others about.
 inline constexpr std::uint32_t kPatience = 8;
-/// The same where many carry one another: one that does not give way stirs the whole pile.
-inline constexpr std::uint32_t kPatienceInPile = 64;
 /// Where spheres roll, one that goes farther in a window gives way again, or one that has stood for
 /// long and then falls would strike others as if nothing could stop it [r]. Larger: it does. Much
 /// smaller: spheres that creep give way to one another forever.

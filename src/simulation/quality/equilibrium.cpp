@@ -123,7 +123,7 @@ double leastFriction(const ContactNetwork& network, double unbalance, std::size_
             return std::numeric_limits<double>::infinity();
         }
     }
-    while (holds - falls > std::max(kFrictionStep * holds, kLeastFriction))
+    while (holds - falls > kFrictionStep * std::max(holds, 0.1))
     {
         const double middle = (falls + holds) / 2;
         (stands(middle) ? holds : falls) = middle;

@@ -36,7 +36,7 @@ struct RollingSupport
                                     double allowed, const RollingSupport& rolling = {});
 
 /// The least friction with which all but `except` bodies miss at most `unbalance` of their weight,
-/// to kFrictionStep of itself or kLeastFriction; infinite when none up to
+/// to kFrictionStep of itself or of a tenth; infinite when none up to
 /// JudgeSettings::kMostFriction will do. By bisection.
 [[nodiscard]] double leastFriction(const ContactNetwork& network, double unbalance,
                                    std::size_t except, Threads& threads);

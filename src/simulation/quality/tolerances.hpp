@@ -41,10 +41,8 @@ inline constexpr std::size_t kFewestRings = 4;
 /// Share of the spheres that may be unbalanced in a packing that stands. Larger: a part of it may
 /// fall. Smaller: one sphere that hangs on a friction of its own decides for thousands.
 inline constexpr double kLoose = 0.01;
-/// To which share of itself the least friction is found. Smaller: time.
+/// To which share of itself, or of a tenth, the least friction is found. Smaller: time.
 inline constexpr double kFrictionStep = 0.01;
-/// Least friction that is told from none. [1] Smaller: time, where hardly any is needed.
-inline constexpr double kLeastFriction = 1e-3;
 /// Forces are found when no step changes an acceleration by more of what may be missing. Larger:
 /// forces that have not yet spread to the foot of a pile. Smaller: time.
 inline constexpr double kSettledForces = 0.01;

@@ -48,7 +48,7 @@ Cubes cubesOf(const Eigen::AlignedBox3d& box, const InsideTest& inside, double r
 
 double cellOfSites(const Eigen::Vector3d& box, double inReach, double radius)
 {
-    return std::max({kSiteCell * radius, std::cbrt(inReach / kMaxSites),
+    return std::max({kSiteCell * radius, std::cbrt(inReach / kMaxSites) * (1 + kDistanceRounding),
                      box.maxCoeff() / (kMostCellsAlong - 1)});
 }
 

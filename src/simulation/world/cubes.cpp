@@ -13,8 +13,8 @@ std::optional<Cubes> Cubes::inReach(const GridFrame& frame, const InsideTest& in
 {
     Cubes cubes;
     cubes.frame_ = frame;
-    cubes.words_ =
-        BrickedCells<1>({(frame.count[0] + 63) / 64, frame.count[1], frame.count[2]}, whole);
+    cubes.words_ = BrickedCells<1>({(frame.count[0] + 63) / 64, frame.count[1], frame.count[2]},
+                                   std::min(whole, static_cast<std::size_t>(most)));
     const auto add = [&](const Eigen::AlignedBox3d& box)
     {
         if (static_cast<double>(cubes.words()) > most)
