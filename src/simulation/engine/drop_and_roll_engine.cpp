@@ -15,7 +15,7 @@ ReleaseQuery queryOfRest(const DropAndRoll& dropAndRoll, std::size_t threads)
 {
     ReleaseQuery query;
     query.suits = [](const Eigen::Vector3d&, double) { return true; };
-    query.ahead = std::max(kFewestAhead, kAheadOfThread * threads);
+    query.ahead = kAheadOfThread * threads;
     query.prepare = [&dropAndRoll](Eigen::Vector3d& place, double radius, Eigen::AlignedBox3d& seen)
     {
         thread_local NeighbourList around; // keeps its memory

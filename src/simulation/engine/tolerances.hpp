@@ -80,12 +80,10 @@ inline constexpr double kFarRelease = 4;
 
 // Without dynamics (Motion::descend).
 
-/// Spheres for each thread that come down ahead of their time, and so many in all at least. The
-/// answer is the same for any. Larger: more of them are void because one before them has come to
-/// rest in their way. Smaller: threads wait for each other.
-inline constexpr std::size_t kAheadOfThread = 4;
-inline constexpr std::size_t kFewestAhead = 16;
-
+/// Spheres for each thread that come down ahead of their time. The answer is the same for any.
+/// Larger: more of them are void because one before them has come to rest in their way. Smaller:
+/// threads wait for each other.
+inline constexpr std::size_t kAheadOfThread = 8;
 /// A run is recorded as at most so many sets. Larger: more pictures than anyone looks at.
 inline constexpr std::size_t kMaxSets = 200;
 

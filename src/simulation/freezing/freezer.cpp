@@ -157,7 +157,7 @@ void Freezer::findPlaces()
             findPlace(row);
         }
     };
-    threads_.forEach(sleepy_.size(), find, kWorthSharing);
+    threads_.forEach(sleepy_.size(), find);
 }
 
 // Where the runner would be frozen. One that is overdue is frozen wherever it gets.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 /// The numbers by which spheres are put to sleep and woken. Where no source is named, the value was
@@ -28,10 +27,6 @@ inline constexpr double kMostlyUncarried = 0.5;
 /// A sphere that is frozen comes down by less than this [r]. Larger: it visibly jumps as it
 /// freezes. Smaller: it waits for its neighbours to settle first, and stirs them.
 inline constexpr double kLongestSettling = 0.15;
-/// Places to look for that are worth sharing among threads: each takes about a microsecond. The
-/// answer is the same for any. Larger: threads have nothing to do. Smaller: they wait for one
-/// another.
-inline constexpr std::size_t kWorthSharing = 8;
 
 // How long a sphere that cannot be frozen waits, in windows in which it was calm.
 

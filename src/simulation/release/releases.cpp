@@ -328,6 +328,7 @@ std::size_t releaseAmong(const RunningSpheres& runners, SphereGrid& grid, std::s
                          const std::function<void(const PlacedSphere&)>& appear)
 {
     query.stop = &stop;
+    query.ahead = kDrawsAhead;
     query.givesUp = true; // when those that run have come to rest, every free place suits
     query.suits = [&grid](const Eigen::Vector3d& place, double radius)
     { return isClearOf(grid, place, radius); };
@@ -335,7 +336,6 @@ std::size_t releaseAmong(const RunningSpheres& runners, SphereGrid& grid, std::s
     std::size_t found = 0;
     while (found < wanted && !stop.isAsked())
     {
-        query.ahead = std::clamp(wanted - found, kFewestDrawsAhead, kDrawsAhead);
         const auto next = release.next(query);
         if (!next)
         {

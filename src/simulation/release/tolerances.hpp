@@ -28,12 +28,10 @@ inline constexpr int kMaxMisses = 64;
 /// Larger: draws that lead nowhere, once few ceilings are left. Smaller: threads have too little to
 /// do at once.
 inline constexpr std::uint64_t kBatch = 256;
-/// Places in a row that are looked for ahead of their time, on all threads: as many as are wanted,
-/// within these limits. The answer is the same for any. Larger: more of them are void when
-/// something comes to rest. Smaller: threads wait for each other.
-inline constexpr std::size_t kFewestDrawsAhead = 16;
-inline constexpr std::size_t kDrawsAhead = 128;
-
+/// Places in a row that are looked for ahead of their time, on all threads. The answer is the same
+/// for any. Larger: more of them are void when something comes to rest. Smaller: threads wait for
+/// each other.
+inline constexpr std::size_t kDrawsAhead = 64;
 /// Classes of radii at most, each of which has sites of its own. Larger: memory. Smaller: a radius
 /// is released only where a much larger one fits, and the object is not as full.
 inline constexpr std::size_t kMaxClasses = 8;
