@@ -323,6 +323,22 @@ TEST(Simulation, FillsPartsThatLieFarApart)
     EXPECT_EQ(simulation.quality().centresOutside, 0u);
 }
 
+// Collisions that lose nothing never come to rest.
+TEST(Simulation, EndsASetAtItsTimeLimitAndSaysSo)
+{
+    for (const double restitution : {1.0, 0.3})
+    {
+        Scene scene = smallTorus();
+        scene.spheres.count = 20;
+        scene.motion.restitution = restitution;
+        scene.freezing.setTimeLimit = restitution < 1 ? 60 : 1e-3;
+        Simulation simulation(scene, shapes::torus());
+        runToEnd(simulation);
+        ASSERT_FALSE(simulation.sets().empty());
+        EXPECT_EQ(simulation.sets().front().timedOut, restitution == 1);
+    }
+}
+
 TEST(Simulation, StatesFollowTheOrderOfAppearance)
 {
     Simulation simulation(smallTorus(), shapes::torus());
