@@ -37,11 +37,8 @@ enum class Backend : std::uint8_t
 {
     automatic, ///< builtin
     osmesa,
-    egl,            ///< the first of the following that works
-    eglHardware,    ///< a graphics card
-    eglSoftware,    ///< the software device of Mesa
-    eglSurfaceless, ///< Mesa without a device
-    builtin,        ///< the processor alone, without OpenGL
+    egl,     ///< a graphics card, or else Mesa
+    builtin, ///< the processor alone, without OpenGL
 };
 
 /// Size of a picture in pixels.

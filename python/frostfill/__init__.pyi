@@ -45,7 +45,7 @@ class PictureOptions(TypedDict, total=False):
     picture_ground: bool
     picture_static_layer: bool
     background: str | int | Sequence[float] | Sequence[str]
-    picture_backend: Literal['auto', 'osmesa', 'egl', 'egl-hardware', 'egl-software', 'egl-surfaceless', 'builtin']
+    picture_backend: Literal['auto', 'osmesa', 'egl', 'builtin']
     azimuth: float | Literal['auto'] | None
     elevation: float
     camera_field_of_view: float

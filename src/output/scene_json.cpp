@@ -26,58 +26,6 @@ Json::json_pointer pointerTo(const std::string& key)
     return Json::json_pointer(path);
 }
 
-/// The last 128 characters of Unicode's private use stand for bytes: U+EF80 for 0x80.
-bool standsForAByte(std::string_view text, std::size_t at)
-{
-    return text.substr(at, 2) == "\xEE\xBE" || text.substr(at, 2) == "\xEE\xBF";
-}
-
-/// JSON is UTF-8, and the name of a file may be any bytes. Those of a name that is not UTF-8 are
-/// told one by one, as are those of one with characters that stand for bytes.
-std::string toUtf8(const std::string& text)
-{
-    bool asItIs = true;
-    for (std::size_t i = 0; i < text.size(); ++i)
-    {
-        asItIs = asItIs && !standsForAByte(text, i);
-    }
-    try
-    {
-        (void)Json(text).dump();
-    }
-    catch (const Json::type_error&)
-    {
-        asItIs = false;
-    }
-    std::string told;
-    for (const char letter : text)
-    {
-        const auto byte = static_cast<unsigned char>(letter);
-        told += asItIs || byte < 0x80
-                    ? std::string(1, letter)
-                    : std::string{'\xEE', static_cast<char>(0xBE + (byte - 0x80) / 64),
-                                  static_cast<char>(0x80 + byte % 64)};
-    }
-    return told;
-}
-
-std::string fromUtf8(const std::string& told)
-{
-    std::string text;
-    for (std::size_t i = 0; i < told.size(); ++i)
-    {
-        if (!standsForAByte(told, i) || i + 2 >= told.size())
-        {
-            text += told[i];
-            continue;
-        }
-        const auto half = static_cast<unsigned char>(told[i + 1]) - 0xBE;
-        text += static_cast<char>(0x80 + 64 * half + static_cast<unsigned char>(told[i + 2]) % 64);
-        i += 2;
-    }
-    return text;
-}
-
 Json valueToJson(const OptionValue& value)
 {
     if (const auto* yes = std::get_if<bool>(&value))
@@ -94,7 +42,7 @@ Json valueToJson(const OptionValue& value)
     }
     if (const auto* text = std::get_if<std::string>(&value))
     {
-        return toUtf8(*text);
+        return *text;
     }
     if (const auto* vector = std::get_if<Eigen::Vector3d>(&value))
     {
@@ -127,7 +75,7 @@ OptionValue valueFromJson(const Json& json)
     {
         return Eigen::Vector3d(json[0], json[1], json[2]);
     }
-    return json.is_string() ? fromUtf8(json.get<std::string>()) : std::string();
+    return json.is_string() ? json.get<std::string>() : std::string();
 }
 
 /// The values below `json`; a vector is one.

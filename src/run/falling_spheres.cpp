@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/falling_spheres.hpp"
 
-#include "run/ceilings.hpp"
+#include "mesh/interior/triangle_bvh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,58 @@ namespace
 
 /// Of a sphere at its ceiling, from its middle to the wall; more than 1, as ceilings slope [r].
 constexpr double kBelowCeiling = 1.5;
+
+/// How far it is straight up to the next wall.
+class Ceilings
+{
+public:
+    /// `up` is an axis of the mesh, which lives as long as this.
+    Ceilings(const TriangleMesh& mesh, const Eigen::Vector3d& up)
+        : mesh_(mesh), tree_(mesh), top_(up.dot(boundingBox(mesh).max()))
+    {
+        up.maxCoeff(&up_);
+    }
+
+    /// [mesh unit] From p, in mesh coordinates, straight up to the mesh; 0 where nothing is above.
+    [[nodiscard]] double above(const Eigen::Vector3d& p) const
+    {
+        Eigen::Vector3d end = p;
+        end[up_] = std::max(top_, p[up_]);
+        double nearest = std::numeric_limits<double>::infinity();
+        tree_.forEachTriangleOnWay(p, end, 0,
+                                   [&](std::uint32_t triangle)
+                                   {
+                                       const double height = heightOver(triangle, p) - p[up_];
+                                       nearest = height > 0 ? std::min(nearest, height) : nearest;
+                                   });
+        return std::isfinite(nearest) ? nearest : 0;
+    }
+
+private:
+    /// Returns the height of the triangle over p; none if it is not over p.
+    [[nodiscard]] double heightOver(std::uint32_t triangle, const Eigen::Vector3d& p) const
+    {
+        const auto& [a, b, c] = mesh_.triangles[triangle];
+        const int x = (up_ + 1) % 3;
+        const int y = (up_ + 2) % 3;
+        const auto side = [&](const Eigen::Vector3d& from, const Eigen::Vector3d& to)
+        { return (to[x] - from[x]) * (p[y] - from[y]) - (to[y] - from[y]) * (p[x] - from[x]); };
+        const Eigen::Vector3d& u = mesh_.vertices[a];
+        const Eigen::Vector3d& v = mesh_.vertices[b];
+        const Eigen::Vector3d& w = mesh_.vertices[c];
+        const Eigen::Vector3d shares(side(v, w), side(w, u), side(u, v));
+        const bool over = (shares.array() >= 0).all() || (shares.array() <= 0).all();
+        const double sum = shares.x() + shares.y() + shares.z();
+        return over && sum != 0
+                   ? (shares.x() * u[up_] + shares.y() * v[up_] + shares.z() * w[up_]) / sum
+                   : -std::numeric_limits<double>::infinity();
+    }
+
+    const TriangleMesh& mesh_;
+    TriangleBvh tree_;
+    double top_; ///< of the mesh, along the axis
+    int up_ = 1; ///< axis
+};
 
 } // namespace
 

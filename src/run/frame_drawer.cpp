@@ -3,8 +3,6 @@
 
 #include "run/frame_timing.hpp"
 
-#include <frostfill/error.hpp>
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,17 +42,9 @@ RenderSettings renderSettings(const Scene& scene, const ColourRange& range, std:
 namespace
 {
 
-/// Fewer pixels than that may show nothing but the object's colour, and are not looked at.
-constexpr int kFewPixels = 64;
-
-/// Of the small picture in which spheres are looked for.
-constexpr int kLookWidth = 160;
-
-bool allPixelsAlike(const Image& image)
-{
-    const auto channels = static_cast<std::ptrdiff_t>(image.channels);
-    return std::equal(image.pixels.begin() + channels, image.pixels.end(), image.pixels.begin());
-}
+/// Of a picture's shorter edge [pixel]: smaller ones may show nothing of the spheres that they
+/// have.
+constexpr int kFewPixels = 8;
 
 /// In every picture of a run.
 PngText textOfRun(const PaintRequest& request)
@@ -230,17 +220,14 @@ void FrameDrawer::render(const Snapshot& state, bool isNew)
         drawn_.sets[state.set].renderMs.back() = spent(Stage::rendering);
         drawn_.sets[state.set].readbackMs.back() = spent(Stage::readback);
     }
-    drawn_.blank =
-        drawn_.blank || (showsSpheres(state) && image_->width * image_->height >= kFewPixels &&
-                         allPixelsAlike(*image_));
 }
 
 void FrameDrawer::finish()
 {
     drawn_.videoFailure = sideOutputs_.finish();
     drawn_.times = renderer_->times();
-    renderer_.reset();
     checkForBlank();
+    renderer_.reset();
     writer_.finish();
     drawn_.times += writer_.times();
     const auto& encoding = writer_.milliseconds();
@@ -253,28 +240,13 @@ void FrameDrawer::finish()
 
 void FrameDrawer::checkForBlank()
 {
-    if (state_ == nullptr || !showsSpheres(*state_))
+    if (isDrawn_ && state_ != nullptr && showsSpheres(*state_) &&
+        std::min(settings_.size.width, settings_.size.height) >= kFewPixels)
     {
-        return;
-    }
-    // With a legend no picture is blank, so the look is at a small one without. The first context
-    // is closed before: there is never more than one.
-    RenderSettings small = settings_;
-    small.style.legend = false;
-    small.style.ambientOcclusion = false; // hides nothing, and takes time
-    small.samples = 1;
-    small.supersample = 1;
-    small.size.height = std::clamp(kLookWidth * small.size.height / small.size.width, 8, 2560);
-    small.size.width = kLookWidth;
-    try
-    {
-        Image image;
-        Renderer(request_.mesh, small).render(*state_, image);
-        drawn_.blank = drawn_.blank || allPixelsAlike(image);
-    }
-    catch (const Error&)
-    {
-        // Without memory for another context the run is no worse.
+        PassPictures seen;
+        renderer_->renderPasses(*state_, seen);
+        drawn_.blank = std::all_of(seen.depth.pixels.begin(), seen.depth.pixels.end(),
+                                   [](std::uint8_t byte) { return byte == 255; });
     }
 }
 

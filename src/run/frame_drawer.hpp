@@ -72,7 +72,7 @@ struct DrawnPictures
     std::optional<std::string> videoFailure; ///< what went wrong with the video
     std::vector<SetFrames> sets;
     StageTimes times;
-    bool blank = false; ///< some picture shows spheres, yet all its pixels are alike
+    bool blank = false; ///< the last picture shows none of its spheres
 };
 
 /// Draws the pictures of a run and hands them to the writer, the passes and the video. It lives in

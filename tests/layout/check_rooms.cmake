@@ -74,7 +74,7 @@ room(output base mesh snapshot scene scene/options image)
 room(bed base geometry bulk mesh mesh/interior mesh/repair output run_file)
 room(export base mesh mesh/repair view scene scene/options snapshot run_file output shell bed analysis)
 room(export/inputs base mesh mesh/interior scene snapshot output export)
-room(run base mesh bulk view scene scene/options snapshot simulation image renderer render/overlay run_file output analysis)
+room(run base mesh mesh/interior bulk view scene scene/options snapshot simulation image renderer render/overlay run_file output analysis)
 room(page base mesh view scene snapshot renderer render/framing render/context render/overlay render/picture
      run_file output shell run)
 

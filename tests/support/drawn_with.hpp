@@ -22,12 +22,12 @@ inline bool hasBackend(const std::string& name)
                        { return attempt.name == name && attempt.works; });
 }
 
-/// What of OpenGL is there: OSMesa, or where that is missing EGL without a surface, which draws the
-/// same bytes. None: what a test asks of OpenGL cannot be asked here.
+/// What of OpenGL is there: OSMesa, or where that is missing EGL, which draws the same bytes with
+/// the same Mesa. None: what a test asks of OpenGL cannot be asked here.
 inline std::optional<Backend> openGl()
 {
-    for (const auto& [name, backend] : {std::pair{"osmesa", Backend::osmesa},
-                                        std::pair{"egl-surfaceless", Backend::eglSurfaceless}})
+    for (const auto& [name, backend] :
+         {std::pair{"osmesa", Backend::osmesa}, std::pair{"egl", Backend::egl}})
     {
         if (hasBackend(name))
         {
@@ -36,7 +36,7 @@ inline std::optional<Backend> openGl()
     }
     return {};
 }
-inline const std::string kNoOpenGl = "there is neither OSMesa nor EGL without a surface";
+inline const std::string kNoOpenGl = "there is neither OSMesa nor EGL";
 
 /// That of the default, and OpenGL where it is there.
 inline std::vector<Backend> backends()

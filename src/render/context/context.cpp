@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
@@ -18,12 +19,6 @@ namespace frostfill
 
 namespace
 {
-
-bool answersTo(Backend choice, Backend asked)
-{
-    return asked == Backend::automatic || asked == choice ||
-           (asked == Backend::egl && choice != Backend::osmesa);
-}
 
 /// What Mesa maps for a context with its threads [bytes]. When it gets less it may wait forever
 /// for a thread that it could not start.
@@ -78,12 +73,7 @@ const std::vector<BackendChoice>& backendChoices()
 {
     static const std::vector<BackendChoice> choices = {
         {Backend::osmesa, "osmesa", &openOsmesa, "apt install libosmesa6"},
-        {Backend::eglHardware, "egl-hardware", &openEglHardware,
-         "the graphics card's driver, with its part for EGL"},
-        {Backend::eglSoftware, "egl-software", &openEglSoftware,
-         "apt install libegl1 libegl-mesa0 libgl1-mesa-dri"},
-        {Backend::eglSurfaceless, "egl-surfaceless", &openEglSurfaceless,
-         "apt install libegl1 libegl-mesa0 libgl1-mesa-dri"},
+        {Backend::egl, "egl", &openEgl, "apt install libegl1 libegl-mesa0 libgl1-mesa-dri"},
     };
     return choices;
 }
@@ -95,23 +85,20 @@ std::unique_ptr<Context> openContext(Backend backend)
                             "frostfill: OpenGL has not answered for a minute, perhaps because "
                             "memory is short; omit picture.backend",
                             static_cast<int>(ErrorCode::noOpenGl));
-    std::string attempts;
-    for (const BackendChoice& choice : backendChoices())
+    const std::vector<BackendChoice>& choices = backendChoices();
+    const auto choice =
+        std::find_if(choices.begin(), choices.end(),
+                     [&](const BackendChoice& each) { return each.backend == backend; });
+    try
     {
-        if (!answersTo(choice.backend, backend))
-        {
-            continue;
-        }
-        try
-        {
-            return choice.open();
-        }
-        catch (const Error& error)
-        {
-            attempts += fmt::format("\n  {} (to install it: {})", error.what(), choice.remedy);
-        }
+        return choice->open();
     }
-    throw Error(ErrorCode::noOpenGl, "no OpenGL context is available:" + attempts);
+    catch (const Error& error)
+    {
+        throw Error(ErrorCode::noOpenGl,
+                    fmt::format("no OpenGL context is available: {} (to install it: {})",
+                                error.what(), choice->remedy));
+    }
 }
 
 void makeShaderCache()

@@ -45,10 +45,9 @@ private:
 
 /// Opens the library and creates a context, current to this thread. Throws Error noOpenGl.
 [[nodiscard]] std::unique_ptr<Context> openOsmesa();
-/// The same through EGL: on a graphics card, on Mesa's software device, or on no device at all.
-[[nodiscard]] std::unique_ptr<Context> openEglHardware();
-[[nodiscard]] std::unique_ptr<Context> openEglSoftware();
-[[nodiscard]] std::unique_ptr<Context> openEglSurfaceless();
+/// The same through EGL: on a graphics card, on Mesa's software device, or on no device at all,
+/// whichever works first.
+[[nodiscard]] std::unique_ptr<Context> openEgl();
 
 /// A backend that can be asked for.
 struct BackendChoice
@@ -58,13 +57,11 @@ struct BackendChoice
     std::unique_ptr<Context> (*open)();
     const char* remedy; ///< the command that installs it
 };
-/// In the order in which they are tried. OSMesa comes first even where there is a graphics card, so
-/// that a run gives the same pictures everywhere unless it is told otherwise.
 [[nodiscard]] const std::vector<BackendChoice>& backendChoices();
 
-/// The first of the backend's choices that works. Throws Error noOpenGl, which lists every attempt
-/// and its remedy, and outOfMemory when the process has too little. A library that hangs for a
-/// minute ends the process with the code of noOpenGl: nothing else gets out of it.
+/// Opens a backend of backendChoices(). Throws Error noOpenGl, which has the remedy, and
+/// outOfMemory when the process has too little. A library that hangs for a minute ends the process
+/// with the code of noOpenGl: nothing else gets out of it.
 [[nodiscard]] std::unique_ptr<Context> openContext(Backend backend);
 
 /// Creates the folder in which Mesa keeps the shaders that it has compiled, if the environment

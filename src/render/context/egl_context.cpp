@@ -7,10 +7,12 @@
 #include <dlfcn.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
-#include <cstdlib>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace frostfill
 {
@@ -35,13 +37,6 @@ constexpr Int kProfileMask = 0x30FD;
 constexpr Int kCoreProfileBit = 0x0001;
 constexpr unsigned kPlatformDevice = 0x313F;
 constexpr unsigned kPlatformSurfaceless = 0x31DD;
-
-enum class Place
-{
-    hardware,
-    software,
-    surfaceless
-};
 
 /// More devices than any machine has.
 constexpr Int kMaxDevices = 64;
@@ -114,31 +109,30 @@ const EglLibrary& eglLibrary()
     return library;
 }
 
-const char* nameOf(Place place)
-{
-    return place == Place::hardware   ? "egl-hardware"
-           : place == Place::software ? "egl-software"
-                                      : "egl-surfaceless";
-}
-
 class EglContext final : public Context
 {
 public:
-    explicit EglContext(Place place) : egl_(eglLibrary()), place_(place)
+    EglContext() : egl_(eglLibrary())
     {
         if (!egl_.failure.empty())
         {
             throw failure(egl_.failure);
         }
-        if (place == Place::surfaceless)
+        std::string failures;
+        for (Display display : displays())
         {
-            create(egl_.platformDisplay(kPlatformSurfaceless, nullptr, nullptr));
+            try
+            {
+                create(display);
+                makeCurrent();
+                return;
+            }
+            catch (const Error& error)
+            {
+                failures += fmt::format("{}{}", failures.empty() ? "" : "; ", error.what());
+            }
         }
-        else
-        {
-            createOnDevice();
-        }
-        makeCurrent();
+        throw failure(failures);
     }
 
     ~EglContext() override
@@ -147,7 +141,7 @@ public:
         egl_.destroyContext(display_, context_);
     }
 
-    [[nodiscard]] const char* name() const override { return nameOf(place_); }
+    [[nodiscard]] const char* name() const override { return "egl"; }
 
     [[nodiscard]] GlProcedure procedure(const char* name) const override
     {
@@ -155,47 +149,37 @@ public:
     }
 
 private:
-    [[nodiscard]] Error failure(const std::string& what) const
+    [[nodiscard]] static Error failure(const std::string& what)
     {
-        return {ErrorCode::noOpenGl, fmt::format("{}: {}", nameOf(place_), what)};
+        return {ErrorCode::noOpenGl, "egl: " + what};
     }
 
-    /// The first device of the wanted kind that gives a context.
-    void createOnDevice()
+    [[nodiscard]] bool isSoftware(Device device) const
     {
-        std::array<Device, kMaxDevices> devices{};
+        const char* extensions = egl_.queryDeviceString(device, kExtensions);
+        return extensions != nullptr &&
+               std::string_view(extensions).find("EGL_MESA_device_software") != std::string::npos;
+    }
+
+    /// Returns graphics cards first, then Mesa's software device, then Mesa without a device.
+    [[nodiscard]] std::vector<Display> displays() const
+    {
+        std::vector<Device> devices(kMaxDevices);
         Int count = 0;
-        if (egl_.queryDevices == nullptr || egl_.queryDeviceString == nullptr ||
-            egl_.queryDevices(kMaxDevices, devices.data(), &count) == 0)
+        if (egl_.queryDevices != nullptr && egl_.queryDeviceString != nullptr)
         {
-            throw failure("the library cannot list devices");
+            egl_.queryDevices(kMaxDevices, devices.data(), &count);
         }
-        std::string failures;
-        for (Int i = 0; i < count; ++i)
+        devices.resize(static_cast<std::size_t>(count));
+        std::stable_partition(devices.begin(), devices.end(),
+                              [&](Device device) { return !isSoftware(device); });
+        std::vector<Display> displays;
+        for (Device device : devices)
         {
-            Device device = devices.at(static_cast<std::size_t>(i));
-            const char* extensions = egl_.queryDeviceString(device, kExtensions);
-            const bool software =
-                extensions != nullptr &&
-                std::string_view(extensions).find("EGL_MESA_device_software") != std::string::npos;
-            if (software != (place_ == Place::software))
-            {
-                continue;
-            }
-            try
-            {
-                create(egl_.platformDisplay(kPlatformDevice, device, nullptr));
-                return;
-            }
-            catch (const Error& error)
-            {
-                failures +=
-                    fmt::format("{}device {}: {}", failures.empty() ? "" : "; ", i, error.what());
-            }
+            displays.push_back(egl_.platformDisplay(kPlatformDevice, device, nullptr));
         }
-        throw failure(failures.empty()
-                          ? fmt::format("none of the {} devices is of this kind", count)
-                          : failures);
+        displays.push_back(egl_.platformDisplay(kPlatformSurfaceless, nullptr, nullptr));
+        return displays;
     }
 
     void create(Display display)
@@ -237,26 +221,15 @@ private:
     void unbind() override { egl_.makeCurrent(display_, nullptr, nullptr, nullptr); }
 
     const EglLibrary& egl_;
-    Place place_;
     Display display_ = nullptr;
     Handle context_ = nullptr;
 };
 
 } // namespace
 
-std::unique_ptr<Context> openEglHardware()
+std::unique_ptr<Context> openEgl()
 {
-    return std::make_unique<EglContext>(Place::hardware);
-}
-
-std::unique_ptr<Context> openEglSoftware()
-{
-    return std::make_unique<EglContext>(Place::software);
-}
-
-std::unique_ptr<Context> openEglSurfaceless()
-{
-    return std::make_unique<EglContext>(Place::surfaceless);
+    return std::make_unique<EglContext>();
 }
 
 } // namespace frostfill

@@ -67,8 +67,7 @@ struct EnumNames<SharesOf>
 template <>
 struct EnumNames<Backend>
 {
-    static constexpr std::array<const char*, 7> kNames = {
-        "auto", "osmesa", "egl", "egl-hardware", "egl-software", "egl-surfaceless", "builtin"};
+    static constexpr std::array<const char*, 4> kNames = {"auto", "osmesa", "egl", "builtin"};
 };
 template <>
 struct EnumNames<ColourMap>

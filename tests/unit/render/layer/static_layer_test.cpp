@@ -217,20 +217,20 @@ TEST(StaticLayerMarks, LastWhereverThePictureFallsThatTakesTwo)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Renderer, StaticLayerTest,
-    testing::Values(Case{"OneSample", 1, false, true, 60, 0.1},
-                    Case{"FourSamples", 4, false, true, 60, 0.1},
-                    Case{"Parallel", 1, true, true, 60, 0.1},
-                    Case{"ParallelFourSamples", 4, true, true, 60, 0.1},
-                    Case{"WithoutShell", 1, false, false, 60, 0.1},
-                    Case{"ManySmall", 1, false, true, 4000, 0.02},
-                    Case{"CoarseShell", 4, false, true, 60, 0.05, 12},
-                    Case{"FineShell", 4, false, true, 60, 0.1, 300},
-                    Case{"Egl", 1, false, true, 60, 0.1, 48, Backend::eglSurfaceless},
-                    Case{"EglFourSamples", 4, false, true, 60, 0.1, 48, Backend::eglSurfaceless},
-                    Case{"ManySmallFourSamples", 4, false, true, 4000, 0.02}),
-    [](const auto& testCase) { return std::string(testCase.param.name); });
+INSTANTIATE_TEST_SUITE_P(Renderer, StaticLayerTest,
+                         testing::Values(Case{"OneSample", 1, false, true, 60, 0.1},
+                                         Case{"FourSamples", 4, false, true, 60, 0.1},
+                                         Case{"Parallel", 1, true, true, 60, 0.1},
+                                         Case{"ParallelFourSamples", 4, true, true, 60, 0.1},
+                                         Case{"WithoutShell", 1, false, false, 60, 0.1},
+                                         Case{"ManySmall", 1, false, true, 4000, 0.02},
+                                         Case{"CoarseShell", 4, false, true, 60, 0.05, 12},
+                                         Case{"FineShell", 4, false, true, 60, 0.1, 300},
+                                         Case{"Egl", 1, false, true, 60, 0.1, 48, Backend::egl},
+                                         Case{"EglFourSamples", 4, false, true, 60, 0.1, 48,
+                                              Backend::egl},
+                                         Case{"ManySmallFourSamples", 4, false, true, 4000, 0.02}),
+                         [](const auto& testCase) { return std::string(testCase.param.name); });
 
 } // namespace
 } // namespace frostfill

@@ -49,7 +49,7 @@ Scene unusualScene()
     scene.style.cutaway = {Cutaway::Kind::plane, {0.1, -1.0 / 3.0, 1e-7}, -0.7, 0, 90};
     scene.style.ambientOcclusion = true;
     scene.supersample = 3;
-    scene.backend = Backend::eglSoftware;
+    scene.backend = Backend::egl;
     scene.style.palette.background = {0, 1, 2, 3};
     scene.style.palette.text = {255, 254, 253, 255};
     scene.style.legend = scene.style.shell = false;
