@@ -19,37 +19,6 @@
 namespace frostfill
 {
 
-/// Decides which pictures to keep under a limit. At the limit, every second picture is removed, and
-/// from then on only every second (fourth, ...) one is kept.
-class FrameThinning
-{
-public:
-    /// A limit of 0 keeps all pictures, and a limit of 1 keeps only the first.
-    explicit FrameThinning(std::size_t limit) : limit_(limit) {}
-
-    /// Only every n-th picture is kept from the start, so that the limit is not met. To be
-    /// called before the second picture.
-    void keepEvery(std::size_t stride) { stride_ = stride; }
-
-    /// Whether picture `number` would be kept. Otherwise it need not be drawn.
-    [[nodiscard]] bool wants(std::size_t number) const { return number % stride_ == 0; }
-    /// What to do with a picture.
-    struct Decision
-    {
-        bool thin = false; ///< first remove every second picture kept so far
-        bool keep = false;
-    };
-    /// Call it with ascending numbers.
-    Decision take(std::size_t number);
-    [[nodiscard]] std::size_t count() const { return count_; }
-    [[nodiscard]] std::size_t stride() const { return stride_; }
-
-private:
-    std::size_t limit_;
-    std::size_t count_ = 0;
-    std::size_t stride_ = 1;
-};
-
 class PngBands;
 
 /// The name of a file of a frame: "frame_00042.png" or "spheres_00042.vtp".
@@ -72,8 +41,6 @@ public:
     /// differ from the picture before; if it is empty, every row may differ.
     void put(std::size_t frame, const Image& image, std::span<const std::uint8_t> changedRows,
              const PngText& text);
-    /// Removes the picture of a frame if it exists. Throws Error writeFailed.
-    void remove(std::size_t frame);
     [[nodiscard]] static std::string fileName(std::size_t frame);
     /// What follows the number in such a name, ".png" or more; empty for any other name.
     [[nodiscard]] static std::string_view endingOf(std::string_view name);

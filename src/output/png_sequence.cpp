@@ -2,7 +2,6 @@
 #include "base/atomic_file.hpp"
 #include "image/png_bands.hpp"
 
-#include <frostfill/error.hpp>
 #include <frostfill/output.hpp>
 
 #include <fmt/format.h>
@@ -24,24 +23,6 @@ double secondsSince(Clock::time_point start)
 }
 
 } // namespace
-
-FrameThinning::Decision FrameThinning::take(std::size_t number)
-{
-    Decision decision;
-    if (!wants(number))
-    {
-        return decision;
-    }
-    if (limit_ > 0 && count_ >= limit_)
-    {
-        decision.thin = true;
-        count_ = (count_ + 1) / 2;
-        stride_ *= 2;
-    }
-    decision.keep = wants(number) && (limit_ == 0 || count_ < limit_);
-    count_ += decision.keep ? 1 : 0;
-    return decision;
-}
 
 std::string numberedName(std::string_view what, std::size_t frame, std::string_view ending)
 {
@@ -93,17 +74,6 @@ void PngSequence::put(std::size_t frame, const Image& image,
     const auto writing = Clock::now();
     saveBytes(bytes, directory_ / fileName(frame));
     times_[Stage::writing] += secondsSince(writing);
-}
-
-void PngSequence::remove(std::size_t frame)
-{
-    std::error_code error;
-    std::filesystem::remove(directory_ / fileName(frame), error);
-    if (error)
-    {
-        throw Error(ErrorCode::writeFailed, fmt::format("cannot thin out the frames in {}: {}",
-                                                        directory_.string(), error.message()));
-    }
 }
 
 } // namespace frostfill

@@ -110,18 +110,6 @@ double FrameDrawer::cameraAt(std::size_t clock) const
     return turn ? 360 * std::fmod(static_cast<double>(clock) / (fps * *turn), 1.0) : 0;
 }
 
-/// Removes every second picture so far, but for the first.
-void FrameDrawer::thin()
-{
-    for (std::size_t i = 1; i < drawn_.numbers.size(); i += 2)
-    {
-        writer_.remove(drawn_.numbers[i]);
-        sideOutputs_.remove(drawn_.numbers[i]);
-    }
-    std::size_t index = 0;
-    std::erase_if(drawn_.numbers, [&](std::size_t) { return index++ % 2 != 0; });
-}
-
 /// Whether a picture is not drawn, and for which reason.
 bool FrameDrawer::leavesOut(const PicturePlan::Picture& picture, const PngText& text)
 {
@@ -165,10 +153,6 @@ void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& stat
         drawn_.sets.resize(std::max(drawn_.sets.size(), std::size_t{state.set} + 1));
         drawn_.sets[state.set].renderMs.push_back(0); // unless it is drawn
         drawn_.sets[state.set].readbackMs.push_back(0);
-    }
-    if (picture.thins)
-    {
-        thin();
     }
     if (picture.index)
     {

@@ -94,7 +94,6 @@ public:
 
 private:
     [[nodiscard]] double cameraAt(std::size_t clock) const;
-    void thin();
     [[nodiscard]] bool leavesOut(const PicturePlan::Picture& picture, const PngText& text);
     [[nodiscard]] const Snapshot& measured(const Snapshot& state);
     void render(const Snapshot& state, bool isNew);

@@ -32,10 +32,6 @@ public:
     /// all pictures and with `text`. One of which all pixels may be alike is not taken for it, so
     /// that it is drawn again and told.
     [[nodiscard]] bool has(std::size_t frame, PictureSize size, const PngText& text) const;
-    void remove(std::size_t frame)
-    {
-        worker_.push([this, frame] { sequence_.remove(frame); });
-    }
     /// Waits until everything is written. Throws what has gone wrong.
     void finish() { worker_.finish(); }
 

@@ -9,7 +9,7 @@ namespace frostfill
 {
 
 PicturePlan::PicturePlan(const Scene& scene, std::size_t turn, bool everyFrame)
-    : selection_(framesToDraw(scene)), thinning_(scene.frames.limit), held_(heldFrames(scene)),
+    : selection_(framesToDraw(scene)), held_(heldFrames(scene)),
       turn_(turn), everyFrame_(everyFrame)
 {
 }
@@ -24,11 +24,9 @@ PicturePlan::Picture PicturePlan::take(std::size_t frame, std::uint64_t state)
 {
     next_ = frame + 1;
     Picture picture{frame, frame};
-    const FrameThinning::Decision decision = thinning_.take(selected_++);
-    picture.thins = decision.thin;
-    if (decision.keep)
+    if (selected_++ % stride_ == 0)
     {
-        picture.index = thinning_.count() - 1;
+        picture.index = count_++;
         keptState_ = state;
     }
     return picture;
@@ -69,11 +67,9 @@ void PicturePlan::finish(std::size_t last, std::uint64_t lastState,
             wantsNext() ? show(frame) : void(++selected_);
         }
     }
-    while (selection_.hasLast() && keptState_ != lastState)
+    if (selection_.hasLast() && keptState_ != lastState)
     {
-        // Thinning may double the stride under our hands; the last state has to survive it.
-        const std::size_t stride = thinning_.stride();
-        selected_ = (selected_ + stride - 1) / stride * stride;
+        selected_ = (selected_ + stride_ - 1) / stride_ * stride_; // it is kept whatever its number
         show(newest);
     }
 }

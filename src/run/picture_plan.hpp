@@ -3,7 +3,6 @@
 
 #include "scene/frame_selection.hpp"
 
-#include <frostfill/output.hpp>
 #include <frostfill/scene.hpp>
 
 #include <cstddef>
@@ -26,18 +25,17 @@ public:
     {
         std::size_t frame = 0; ///< its number
         std::size_t clock = 0; ///< frames for which the camera has moved
-        bool thins = false;    ///< first, every second picture so far is removed
         /// Among the pictures kept; empty for one that is not, which may be for the video.
         std::optional<std::size_t> index = std::nullopt;
     };
 
     /// `turn`: frames for which the camera moves while it shows the last state, if no frame before
-    /// that is selected and nothing is held. With `everyFrame` thinning does not apply to what is
-    /// wanted, only to what is kept.
+    /// that is selected and nothing is held. With `everyFrame` all selected frames are wanted,
+    /// whatever is kept.
     PicturePlan(const Scene& scene, std::size_t turn, bool everyFrame = false);
 
     /// Only every stride-th of the selected frames is kept as a picture, from the start.
-    void keepEvery(std::size_t stride) { thinning_.keepEvery(stride); }
+    void keepEvery(std::size_t stride) { stride_ = stride; }
     /// Whether `frame`, the next one, is to be taken.
     [[nodiscard]] bool wants(std::size_t frame) const
     {
@@ -63,8 +61,8 @@ public:
     /// Frames that were selected so far.
     [[nodiscard]] std::size_t selected() const { return selected_; }
     /// Pictures that are kept so far.
-    [[nodiscard]] std::size_t count() const { return thinning_.count(); }
-    [[nodiscard]] std::size_t stride() const { return thinning_.stride(); }
+    [[nodiscard]] std::size_t count() const { return count_; }
+    [[nodiscard]] std::size_t stride() const { return stride_; }
     /// The state that the last of them shows.
     [[nodiscard]] const std::optional<std::uint64_t>& keptState() const { return keptState_; }
 
@@ -76,17 +74,18 @@ private:
         bool isHeld; ///< or turned; otherwise it is the one frame of the last state
         std::size_t turnBegins;
     };
-    [[nodiscard]] bool wantsNext() const { return everyFrame_ || thinning_.wants(selected_); }
+    [[nodiscard]] bool wantsNext() const { return everyFrame_ || selected_ % stride_ == 0; }
     [[nodiscard]] Rest restAfter(std::size_t last) const;
     [[nodiscard]] bool isSelected(std::size_t frame, const Rest& rest, bool isNews) const;
 
     FrameSelection selection_;
-    FrameThinning thinning_;
     std::size_t held_; ///< frames for which the last state is held
     std::size_t turn_; ///< the same for the camera to move
     bool everyFrame_;
     std::size_t next_ = 0; ///< number after the newest frame
     std::size_t selected_ = 0;
+    std::size_t stride_ = 1;
+    std::size_t count_ = 0;
     std::optional<std::uint64_t> keptState_;
 };
 

@@ -66,17 +66,6 @@ void SideOutputs::put(std::size_t frame, bool kept, Renderer& renderer, const Sn
     }
 }
 
-void SideOutputs::remove(std::size_t frame)
-{
-    for (Pass& pass : passes_)
-    {
-        if (pass.sequence)
-        {
-            pass.sequence->remove(frame);
-        }
-    }
-}
-
 std::optional<std::string> SideOutputs::finish()
 {
     try

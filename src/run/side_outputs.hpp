@@ -30,8 +30,6 @@ public:
     /// video gets every frame.
     void put(std::size_t frame, bool kept, Renderer& renderer, const Snapshot& snapshot,
              const Image& image);
-    /// Removes the passes of a frame.
-    void remove(std::size_t frame);
     /// What went wrong with the video, in a sentence; the pictures are all there.
     [[nodiscard]] std::optional<std::string> finish();
 

@@ -55,7 +55,7 @@ void addFrames(TableBuilder& table)
         .range(kShortestVideo, kLongestTurn);
     table
         .add("frames.limit", "",
-             "Largest number of pictures kept, at equal steps; the video has all; 0: no limit",
+             "Largest number of pictures planned, at equal steps; the video has all; 0: no limit",
              FROSTFILL_FIELD(frames.limit))
         .range(0, kLargestWhole);
     table

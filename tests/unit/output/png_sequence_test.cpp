@@ -51,55 +51,6 @@ TEST(PngSequence, KnowsItsOwnNames)
     }
 }
 
-TEST(PngSequence, RemovesOneOfItsPicturesAndNoOtherFile)
-{
-    const test::TemporaryFolder folder;
-    PngSequence sequence(folder / "frames");
-    test::writeFile(folder / "frames/notes.txt", "mine");
-    for (const std::size_t number : {3U, 4U, 5U})
-    {
-        sequence.put(number, numberedImage(number));
-    }
-    sequence.remove(4);
-    sequence.remove(9); // that was never there
-    EXPECT_EQ(test::filesIn(folder / "frames").size(), 3U);
-    EXPECT_FALSE(std::filesystem::exists(folder / "frames/frame_00004.png"));
-    std::filesystem::create_directories(folder / "frames/frame_00006.png/full");
-    test::expectError(
-        ErrorCode::writeFailed, [&] { sequence.remove(6); }, "cannot thin out");
-}
-
-TEST(FrameThinning, KeepsEveryNthWhenThereAreTooMany)
-{
-    for (const std::size_t limit : {1u, 2u, 3u, 5u, 8u})
-    {
-        for (const std::size_t total : {1u, 2u, 5u, 9u, 33u, 100u})
-        {
-            FrameThinning thinning(limit);
-            std::vector<std::size_t> kept;
-            for (std::size_t i = 0; i < total; ++i)
-            {
-                const FrameThinning::Decision decision = thinning.take(i);
-                std::size_t place = 0;
-                std::erase_if(kept, [&](std::size_t) { return decision.thin && place++ % 2 != 0; });
-                if (decision.keep)
-                {
-                    kept.push_back(i);
-                }
-            }
-            EXPECT_LE(thinning.count(), limit);
-            EXPECT_TRUE(thinning.count() == limit || limit == 1 || 2 * thinning.count() >= limit ||
-                        thinning.count() == total)
-                << limit << " of " << total;
-            EXPECT_EQ(kept.size(), thinning.count());
-            for (std::size_t i = 0; i < kept.size(); ++i)
-            {
-                EXPECT_EQ(kept[i], i * thinning.stride());
-            }
-        }
-    }
-}
-
 TEST(PngSequence, TellsThatItsDirectoryCannotBeCreated)
 {
     const test::TemporaryFolder folder;
