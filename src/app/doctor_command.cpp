@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.hpp"
-#include "run/machine_json.hpp"
+#include "run/run_files.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/measure.hpp>

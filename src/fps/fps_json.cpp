@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "fps/fps_report.hpp"
 #include "fps/paper_numbers.hpp"
-#include "run/machine_json.hpp"
+#include "run/run_files.hpp"
 
 namespace frostfill
 {

@@ -5,7 +5,10 @@
 
 #include <frostfill/image.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,5 +47,18 @@ private:
     std::vector<std::size_t> wanted_; ///< bands that must be compressed
     std::vector<std::uint8_t> file_;
 };
+
+/// What a PNG file says of itself, without its pixels.
+struct PngFacts
+{
+    int width = 0;
+    int height = 0;
+    PngText text;                ///< in the order of the file
+    std::size_t packedBytes = 0; ///< of the pixels
+};
+
+/// Reads all of the file and checks the sum of each chunk. Empty for a file that is missing, is no
+/// PNG, is damaged or does not end where it should. [PNG 3rd edition, 5]
+[[nodiscard]] std::optional<PngFacts> pngFacts(const std::filesystem::path& file);
 
 } // namespace frostfill

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/mesh.hpp>
 #include <frostfill/scene.hpp>
 
 #include <nlohmann/json.hpp>
+
+#include <string>
 
 namespace frostfill
 {
@@ -16,5 +19,9 @@ namespace frostfill
 /// not allowed, and for keys that this version does not know.
 [[nodiscard]] Scene sceneFromJson(const nlohmann::ordered_json& json,
                                   std::string_view nameForMessages);
+
+/// Of all that a run follows from, the scene and the mesh, as 16 hex digits: known before its first
+/// picture, and the same for a run that is repeated.
+[[nodiscard]] std::string runHash(const Scene& scene, const TriangleMesh& mesh);
 
 } // namespace frostfill

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "render/framing/framing.hpp"
+
+#include <frostfill/mesh.hpp>
+
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -22,5 +26,9 @@ using Sections = std::vector<std::pair<std::string, std::string>>;
 /// The whole page: the files of page/ and the shaders, what is to be shown, and its facts. Adds to
 /// the facts where each section begins.
 [[nodiscard]] std::string assemblePage(nlohmann::ordered_json facts, const Sections& sections);
+
+/// The shell as pictures draw it: corners with normals, triangles, and edges with what they are.
+/// page/shell.js draws it.
+[[nodiscard]] Sections shapeSections(const TriangleMesh& mesh, const Framing& framing);
 
 } // namespace frostfill

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "run/frame_timing.hpp"
+#include "run/frame_writer.hpp"
 #include "run/recording.hpp"
 #include "run/resume.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_files.hpp"
-#include "run/run_length.hpp"
-#include "run/side_outputs.hpp"
 #include "run/verdict.hpp"
 #include "scene/packing_estimate.hpp"
 

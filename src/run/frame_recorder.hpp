@@ -2,7 +2,7 @@
 #pragma once
 
 #include "run/falling_spheres.hpp"
-#include "run/frame_painter.hpp"
+#include "run/frame_drawer.hpp"
 #include "run/frame_timing.hpp"
 
 #include <frostfill/run_file.hpp>

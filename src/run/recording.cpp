@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/recording.hpp"
 
-#include "output/run_hash.hpp"
+#include "output/scene_json.hpp"
 #include "run/resume.hpp"
 #include "run/run_head.hpp"
 #include "run_file/file_of_run.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "output/run_hash.hpp"
-#include "run/frame_painter.hpp"
+#include "output/scene_json.hpp"
+#include "run/frame_drawer.hpp"
 #include "run/frame_timing.hpp"
+#include "run/frame_writer.hpp"
 #include "run/resume.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_head.hpp"
-#include "run/side_outputs.hpp"
 #include "run_file/file_of_run.hpp"
 
 #include <frostfill/error.hpp>

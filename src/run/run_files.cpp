@@ -3,14 +3,18 @@
 
 #include "base/atomic_file.hpp"
 #include "bulk/bulk.hpp"
-#include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
-#include "run/machine_json.hpp"
 #include "run/set_table.hpp"
 #include "scene/frame_selection.hpp"
 
 #include <frostfill/error.hpp>
+#include <frostfill/measure.hpp>
 #include <frostfill/output.hpp>
+
+#include <Eigen/Core>
+#include <assimp/version.h>
+#include <fmt/format.h>
+#include <tbb/version.h>
 
 #include <algorithm>
 
@@ -289,6 +293,39 @@ void writeRunFiles(const RunRecord& run)
     AtomicFile summary(directory / "summary.json");
     summary.write(run.result.summary);
     summary.commit();
+}
+
+std::vector<std::pair<std::string, std::string>> libraryVersions()
+{
+    return {
+        {"Eigen",
+         fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+        {"assimp",
+         fmt::format("{}.{}.{}", aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch())},
+        {"oneTBB", TBB_runtime_version()},
+        {"fmt",
+         fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)},
+        {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR,
+                                      NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)},
+    };
+}
+
+nlohmann::ordered_json machineJson(const std::string& renderer)
+{
+    const MachineInfo machine = describeMachine();
+    nlohmann::ordered_json json = {{"cpu", machine.cpu},
+                                   {"cores", machine.cores},
+                                   {"memory_gib", machine.memoryGib},
+                                   {"system", machine.system},
+                                   {"compiler", machine.compiler},
+                                   {"build", machine.build},
+                                   {"renderer", renderer},
+                                   {"frostfill", machine.version}};
+    for (const auto& [library, version] : libraryVersions())
+    {
+        json["versions"][library] = version;
+    }
+    return json;
 }
 
 } // namespace frostfill

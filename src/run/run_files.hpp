@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace frostfill
 {
@@ -36,5 +38,12 @@ struct RunRecord
 
 /// Writes every file but the frames. Throws Error cannotCreate or writeFailed.
 void writeRunFiles(const RunRecord& run);
+
+/// Names and versions of the libraries that this program was built with.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> libraryVersions();
+
+/// The computer, the build, the libraries and the renderer, as files tell them. `renderer` is empty
+/// when nothing was drawn.
+[[nodiscard]] nlohmann::ordered_json machineJson(const std::string& renderer);
 
 } // namespace frostfill

@@ -2,6 +2,9 @@
 #include "run_file/frame_codec.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <iterator>
 
 namespace frostfill
 {
@@ -299,5 +302,252 @@ void FrameCodec::goThroughValues(Named<Bytes>& streams, const Given* given)
 
 template void FrameCodec::goThrough(Streams& streams, const Given* given);
 template void FrameCodec::goThrough(StreamReaders& streams, const Given* given);
+
+std::string streamOf(const Column& column)
+{
+    return column.name + (column.isWhole() ? ":uint32" : ":float32");
+}
+
+void FrameCodec::carry(const Column& column)
+{
+    if (snapshot_.values(column) == nullptr)
+    {
+        snapshot_.columns.emplace_back(column).bits.resize(snapshot_.states.size());
+    }
+}
+
+/// Of the spheres that are said to have changed, and of new ones.
+std::vector<std::uint32_t> FrameCodec::changedIn(const ColumnValues& known,
+                                                 const Given& given) const
+{
+    const std::vector<std::uint32_t>& changed = given.snapshot.changed;
+    const ColumnValues* now = given.snapshot.values(known.column());
+    std::vector<std::uint32_t> ids;
+    std::set_union(changed.begin(), changed.end(), renewed_.begin(), renewed_.end(),
+                   std::back_inserter(ids));
+    std::erase_if(
+        ids, [&](std::uint32_t id)
+        { return now == nullptr || id >= now->bits.size() || now->bits[id] == known.bits[id]; });
+    return ids;
+}
+
+// Of each column the spheres whose values have changed, and then the values.
+template <typename Bytes>
+void FrameCodec::goThroughCarried(Named<Bytes>& streams, const Given* given)
+{
+    revalued_.clear();
+    for (ColumnValues& known : snapshot_.columns)
+    {
+        const Column& column = known.column();
+        Bytes& stream = streams[streamOf(column)];
+        std::vector<std::uint32_t> ids =
+            given != nullptr ? changedIn(known, *given) : std::vector<std::uint32_t>();
+        stream.pass(ids, snapshot_.states.size());
+        for (const std::uint32_t id : ids)
+        {
+            std::uint32_t bits = given != nullptr ? given->snapshot.values(column)->bits[id] : 0;
+            if (column.isWhole())
+            {
+                std::int64_t value = bits;
+                stream.pass(value, std::int64_t{known.bits[id]});
+                bits = static_cast<std::uint32_t>(value);
+            }
+            else
+            {
+                stream.passRaw(bits);
+            }
+            known.bits[id] = bits;
+        }
+        revalued_.insert(revalued_.end(), ids.begin(), ids.end());
+    }
+}
+
+template void FrameCodec::goThroughCarried(Streams& streams, const Given* given);
+template void FrameCodec::goThroughCarried(StreamReaders& streams, const Given* given);
+
+namespace
+{
+
+/// How often changes may name each sphere before they are sorted.
+constexpr std::size_t kTimesNamed = 4;
+
+} // namespace
+
+std::uint64_t newSource()
+{
+    static std::atomic<std::uint64_t> next = std::uint64_t{1} << 63;
+    return ++next;
+}
+
+FrameDecoder::FrameDecoder(double grid, const Eigen::Vector3d& origin, std::size_t polygons,
+                           std::uint64_t source)
+    : FrameCodec({grid}, origin, polygons)
+{
+    snapshot_.source = source;
+}
+
+void FrameDecoder::decode(StreamReaders& in)
+{
+    const std::uint64_t revision = snapshot_.revision;
+    for (const auto& [name, stream] : in)
+    {
+        const Column* column = findColumn(name.substr(0, name.find(':')));
+        if (column != nullptr && column->isCarried() && name == streamOf(*column))
+        {
+            carry(*column);
+        }
+    }
+    goThrough(in, nullptr);
+    if (snapshot_.revision == revision)
+    {
+        return; // once more
+    }
+    auto& changed = snapshot_.changed;
+    for (const auto* ids : {&renewed_, &turned_, &moved_, &revalued_})
+    {
+        changed.insert(changed.end(), ids->begin(), ids->end());
+    }
+    snapshot_.polygonsChanged = snapshot_.polygonsChanged || !turnedPolygons_.empty();
+    if (changed.size() > kTimesNamed * snapshot_.states.size())
+    {
+        sortChanges(); // before it takes more memory than the spheres
+    }
+}
+
+void FrameDecoder::sortChanges()
+{
+    auto& changed = snapshot_.changed;
+    if (changed.size() >= snapshot_.states.size())
+    {
+        // A first frame names each sphere twice: counting is faster than sorting.
+        std::vector<char> named(snapshot_.states.size(), 0);
+        for (const std::uint32_t id : changed)
+        {
+            if (id < named.size())
+            {
+                named[id] = 1;
+            }
+        }
+        changed.clear();
+        for (std::uint32_t id = 0; id < named.size(); ++id)
+        {
+            if (named[id] != 0)
+            {
+                changed.push_back(id);
+            }
+        }
+        return;
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    const auto gone = std::lower_bound(changed.begin(), changed.end(), snapshot_.states.size());
+    changed.erase(gone, changed.end());
+}
+
+void FrameDecoder::forgetChanges()
+{
+    snapshot_.changed.clear();
+    snapshot_.polygonsChanged = false;
+    snapshot_.changedSince = snapshot_.revision;
+}
+
+void FrameEncoder::encode(const Snapshot& snapshot, const ExactSphere& exact,
+                          const std::vector<PolygonState>& polygons)
+{
+    const Given given{snapshot, exact};
+    snapshot_.time = snapshot.time;
+    snapshot_.step = snapshot.step;
+    snapshot_.set = snapshot.set;
+    snapshot_.pose = snapshot.pose;
+    for (const ColumnValues& values : snapshot.columns)
+    {
+        carry(values.column());
+    }
+    sortChanges(given);
+    sortPolygons(polygons);
+    goThrough(streams_, &given);
+}
+
+void FrameEncoder::repeat()
+{
+    streams_["frames"].count(kIsRepeated);
+}
+
+std::size_t FrameEncoder::bytes() const
+{
+    std::size_t sum = 0;
+    for (const auto& [name, stream] : streams_)
+    {
+        sum += stream.bytes().size();
+    }
+    return sum;
+}
+
+// `changed` may name more than has changed since the last frame, because the snapshot is one of
+// several that are filled in turn; it never names less.
+void FrameEncoder::sortChanges(const Given& given)
+{
+    const std::size_t count = given.snapshot.states.size();
+    const std::size_t known = std::min(count, snapshot_.states.size());
+    resize(count);
+    renewed_.clear();
+    turned_.clear();
+    for (const std::uint32_t id : given.snapshot.changed)
+    {
+        if (id < known)
+        {
+            sortChange(id, given);
+        }
+    }
+    for (std::size_t id = known; id < count; ++id)
+    {
+        renewed_.push_back(static_cast<std::uint32_t>(id));
+    }
+}
+
+// A number may have gone to another sphere because its own was withdrawn. What has woken and come
+// to rest again between two frames is told by its place, and is like new.
+void FrameEncoder::sortChange(std::uint32_t id, const Given& given)
+{
+    const std::uint64_t now = stateOf(given, id);
+    const std::uint64_t before = state(id);
+    bool isNew = false;
+    if (now != kRuns && before != kRuns)
+    {
+        const Eigen::Vector3d centre = given.exact(id).centre;
+        isNew = rounding_.exact && rests(now) ? centre != centres_[id]
+                                              : placeOf(centre) != placeOf(centres_[id]);
+    }
+    for (std::size_t k = 0; k < kStreamColumns.size(); ++k)
+    {
+        isNew = isNew || (kStreamColumns[k].changes == ColumnChanges::never &&
+                          valueOf(given, k, id) != value(k, id));
+    }
+    if (isNew)
+    {
+        renewed_.push_back(id);
+    }
+    else if (now != before)
+    {
+        turned_.push_back(id);
+    }
+}
+
+void FrameEncoder::sortPolygons(const std::vector<PolygonState>& polygons)
+{
+    turnedPolygons_.clear();
+    snapshot_.polygons.resize(polygons.size(), PolygonState::active);
+    // Most frames change none, and a mesh may have a million: whole blocks of bytes are compared.
+    static_assert(sizeof(PolygonState) == 1);
+    const bool same = polygons.empty() ||
+                      std::memcmp(snapshot_.polygons.data(), polygons.data(), polygons.size()) == 0;
+    for (std::size_t polygon = 0; !same && polygon < polygons.size(); ++polygon)
+    {
+        if (snapshot_.polygons[polygon] != polygons[polygon])
+        {
+            turnedPolygons_.push_back(static_cast<std::uint32_t>(polygon));
+        }
+    }
+}
 
 } // namespace frostfill

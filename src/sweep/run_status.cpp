@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sweep/run_status.hpp"
 
-#include "output/run_hash.hpp"
 #include "output/scene_json.hpp"
 #include "run/recording.hpp"
 #include "run/resume.hpp"

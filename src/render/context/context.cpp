@@ -2,6 +2,7 @@
 #include "render/context/context.hpp"
 
 #include "base/resources.hpp"
+#include "render/context/gl.hpp"
 #include "render/context/watchdog.hpp"
 
 #include <frostfill/error.hpp>
@@ -11,8 +12,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <string>
+#include <type_traits>
 
 namespace frostfill
 {
@@ -108,6 +112,29 @@ void makeShaderCache()
     {
         std::filesystem::create_directories(folder, none);
     }
+}
+
+GlFunctions loadGlFunctions(const Context& context)
+{
+    GlFunctions gl;
+    const auto load = [&](std::string name)
+    {
+        // The member `clear` is glClear.
+        name.front() = static_cast<char>(std::toupper(name.front()));
+        name.insert(0, "gl");
+        const GlProcedure procedure = context.procedure(name.c_str());
+        if (procedure == nullptr)
+        {
+            throw Error(ErrorCode::noOpenGl,
+                        fmt::format("{}: the OpenGL library has no {}", context.name(), name));
+        }
+        return procedure;
+    };
+#define FROSTFILL_GL_LOAD(member, type)                                                            \
+    gl.member = reinterpret_cast<std::add_pointer_t<type>>(load(#member));
+    FROSTFILL_GL_FUNCTIONS(FROSTFILL_GL_LOAD)
+#undef FROSTFILL_GL_LOAD
+    return gl;
 }
 
 } // namespace frostfill

@@ -3,7 +3,7 @@
 
 #include "render/context/gl.hpp"
 #include "render/context/shader.hpp"
-#include "render/framing/ground_shadow.hpp"
+#include "render/picture/studio.hpp"
 
 #include <glm/mat4x4.hpp>
 

@@ -4,7 +4,7 @@
 #include "render/framing/framing.hpp"
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/picture/studio.hpp"
-#include "render/raster/lanes/tile_grid.hpp"
+#include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/spheres/ground_raster.hpp"
 #include "render/raster/spheres/resting_tile.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"

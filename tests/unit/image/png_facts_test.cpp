@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "image/png_facts.hpp"
-
+#include "image/png_bands.hpp"
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "page/shape_sections.hpp"
+#include "page/assemble.hpp"
 
 #include <gtest/gtest.h>
 

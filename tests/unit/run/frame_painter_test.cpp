@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Every n-th picture of a run: each has the number of its frame, and is what a renderer draws that
 // has drawn nothing before.
-#include "run/frame_painter.hpp"
-
+#include "run/frame_drawer.hpp"
 #include "support/load_png.hpp"
 #include "support/small_runs.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/framing/ground_shadow.hpp"
+#include "render/picture/studio.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
 

@@ -195,9 +195,4 @@ struct TileView
     }
 };
 
-/// Draws what a cutaway leaves of a sphere; `rows` are of the tile. A sample has the depth and the
-/// colour of its own place, for a cut runs through the middle of pixels.
-void drawCutSphere(int samples, const SphereRaster::Drawn& drawn, const PixelRectangle& rows,
-                   const TilePart& part, SampleTile& tile);
-
 } // namespace frostfill

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/framing/ground_shadow.hpp"
-
+#include "render/picture/studio.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/geometric.hpp>

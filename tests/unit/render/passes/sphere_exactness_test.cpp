@@ -3,7 +3,7 @@
 #include "render/picture/painter_settings.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/pipeline.hpp"
-#include "render/raster/lanes/tile_grid.hpp"
+#include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"

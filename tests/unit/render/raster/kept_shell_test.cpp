@@ -2,7 +2,7 @@
 #include "render/raster/shell/kept_shell.hpp"
 
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/lanes/tile_grid.hpp"
+#include "render/raster/lanes/sample_tile.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/geometric.hpp>

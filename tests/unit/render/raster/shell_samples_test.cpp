@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "render/picture/painter_settings.hpp"
-#include "render/raster/lanes/tile_grid.hpp"
+#include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/shell/shell_raster.hpp"
 #include "support/pictures.hpp"
 
