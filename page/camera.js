@@ -63,6 +63,18 @@ function horizontalDirection(azimuth) {
     scaled(facts.framing.right, Math.sin(angle)));
 }
 
+/** The least and the largest distance of points along an axis of any length. */
+function extent(points, [x, y, z]) {
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i = 0; i < points.length; i += 3) {
+    const along = x * points[i] + y * points[i + 1] + z * points[i + 2];
+    low = Math.min(low, along);
+    high = Math.max(high, along);
+  }
+  return { low, high };
+}
+
 class Camera {
   constructor(points) {
     this.points = fittedPoints(points);
@@ -112,15 +124,9 @@ class Camera {
     let offset = [0, 0, 0];
     this.distance = 0;
     for (const [axis, tangent] of sides) {
-      let plus = -Infinity;
-      let minus = -Infinity;
-      for (let i = 0; i < this.points.length; i += 3) {
-        const point = [this.points[i], this.points[i + 1], this.points[i + 2]];
-        const across = dot(axis, point);
-        const towards = tangent * dot(back, point);
-        plus = Math.max(plus, towards + across);
-        minus = Math.max(minus, towards - across);
-      }
+      const towards = scaled(back, tangent);
+      const plus = extent(this.points, sum(towards, axis)).high;
+      const minus = extent(this.points, difference(towards, axis)).high;
       offset = sum(offset, scaled(axis, (plus - minus) / 2));
       this.distance = Math.max(this.distance, (plus + minus) / (2 * tangent));
     }
@@ -153,15 +159,16 @@ class Camera {
     const eye = sum(this.target, scaled(back, this.distance));
     const view = [right[0], up[0], back[0], 0, right[1], up[1], back[1], 0,
       right[2], up[2], back[2], 0, -dot(right, eye), -dot(up, eye), -dot(back, eye), 1];
-    const bounds = this.bounds(back);
-    const high = bounds.high - dot(back, this.target);
-    const low = bounds.low - dot(back, this.target);
+    const depth = extent(this.points, back);
+    const height = extent(this.points, facts.up);
+    const high = depth.high - dot(back, this.target);
+    const low = depth.low - dot(back, this.target);
     const padding = facts.framing.depth_padding;
     const near = Math.max(this.distance - high - padding, facts.framing.near_share * this.distance);
     const far = this.distance - low + padding;
     const projection = [1 / (this.tangent * this.aspect), 0, 0, 0, 0, 1 / this.tangent, 0, 0,
       0, 0, -(far + near) / (far - near), -1, 0, 0, -2 * far * near / (far - near), 0];
-    const tall = Math.max(bounds.head - bounds.foot, 1e-6);
+    const tall = Math.max(height.high - height.low, 1e-6);
     const deep = Math.max(high - low, 1e-6);
     const upward = [dot(right, facts.up), dot(up, facts.up), dot(back, facts.up)];
     const matrix = poseMatrix(pose);
@@ -170,26 +177,9 @@ class Camera {
       view: product(view, matrix),
       projection,
       depthAtInfinity: (1 + (far + near) / (far - near)) / 2,
-      heightPlane: [...scaled(upward, 1 / tall), (dot(facts.up, eye) - bounds.foot) / tall],
+      heightPlane: [...scaled(upward, 1 / tall), (dot(facts.up, eye) - height.low) / tall],
       distancePlane: [0, 0, -1 / deep, (high - this.distance) / deep],
     };
-  }
-
-  /** Of the object, towards the viewer and upwards. */
-  bounds(back) {
-    const result = { low: Infinity, high: -Infinity, foot: Infinity, head: -Infinity };
-    for (let i = 0; i < this.points.length; i += 3) {
-      const x = this.points[i];
-      const y = this.points[i + 1];
-      const z = this.points[i + 2];
-      const depth = back[0] * x + back[1] * y + back[2] * z;
-      const height = facts.up[0] * x + facts.up[1] * y + facts.up[2] * z;
-      result.low = Math.min(result.low, depth);
-      result.high = Math.max(result.high, depth);
-      result.foot = Math.min(result.foot, height);
-      result.head = Math.max(result.head, height);
-    }
-    return result;
   }
 }
 

@@ -96,14 +96,7 @@ class Page {
     const front = facts.camera.azimuth;
     const axis = { front: () => horizontalDirection(front), right: () => horizontalDirection(front + 90),
       top: () => facts.up }[which]();
-    let low = Infinity;
-    let high = -Infinity;
-    const { points } = this.picture.shell;
-    for (let i = 0; i < points.length; i += 3) {
-      const along = axis[0] * points[i] + axis[1] * points[i + 1] + axis[2] * points[i + 2];
-      low = Math.min(low, along);
-      high = Math.max(high, along);
-    }
+    const { low, high } = extent(this.picture.shell.points, axis);
     return { axis, place: high - depth * (high - low) };
   }
 

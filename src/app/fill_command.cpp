@@ -7,7 +7,7 @@
 #include "app/progress/progress.hpp"
 #include "app/progress/stop_signals.hpp"
 #include "app/view_text.hpp"
-#include "run/resume.hpp"
+#include "run/run_directory.hpp"
 
 #include <frostfill/fill.hpp>
 #include <frostfill/options.hpp>

@@ -4,7 +4,7 @@
 #include "app/out_file.hpp"
 #include "app/progress/message.hpp"
 #include "run/recording.hpp"
-#include "run/resume.hpp"
+#include "run/run_directory.hpp"
 
 #include <frostfill/options.hpp>
 

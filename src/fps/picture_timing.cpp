@@ -2,7 +2,7 @@
 #include "fps/picture_timing.hpp"
 
 #include "image/png_bands.hpp"
-#include "run/frame_recorder.hpp"
+#include "run/recording.hpp"
 
 #include <frostfill/error.hpp>
 #include <frostfill/image.hpp>

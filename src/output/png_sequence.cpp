@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/atomic_file.hpp"
+#include "base/timers.hpp"
 #include "image/png_bands.hpp"
 
 #include <frostfill/output.hpp>
@@ -7,22 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 namespace frostfill
 {
-namespace
-{
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-} // namespace
 
 std::string numberedName(std::string_view what, std::size_t frame, std::string_view ending)
 {
@@ -63,17 +52,17 @@ void PngSequence::put(std::size_t frame, const Image& image)
 void PngSequence::put(std::size_t frame, const Image& image,
                       std::span<const std::uint8_t> changedRows, const PngText& text)
 {
-    const auto encoding = Clock::now();
-    PngText all = text_;
-    all.insert(all.end(), text.begin(), text.end());
-    std::vector<std::uint8_t> rows(changedRows.begin(), changedRows.end());
-    rows.resize(static_cast<std::size_t>(image.height), 1);
-    const std::vector<std::uint8_t>& bytes = encoder_->encode(image, all, rows);
-    times_[Stage::encoding] += secondsSince(encoding);
-
-    const auto writing = Clock::now();
-    saveBytes(bytes, directory_ / fileName(frame));
-    times_[Stage::writing] += secondsSince(writing);
+    const std::vector<std::uint8_t>* bytes = nullptr;
+    {
+        const StageTimer timer(times_, Stage::encoding);
+        PngText all = text_;
+        all.insert(all.end(), text.begin(), text.end());
+        std::vector<std::uint8_t> rows(changedRows.begin(), changedRows.end());
+        rows.resize(static_cast<std::size_t>(image.height), 1);
+        bytes = &encoder_->encode(image, all, rows);
+    }
+    const StageTimer timer(times_, Stage::writing);
+    saveBytes(*bytes, directory_ / fileName(frame));
 }
 
 } // namespace frostfill

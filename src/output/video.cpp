@@ -17,9 +17,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
-#include <sstream>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -89,28 +87,13 @@ void requireKnown(const std::filesystem::path& file)
     }
 }
 
-/// Whether the program is in PATH.
-bool hasProgram(const std::string& name)
-{
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');)
-    {
-        if (::access((std::filesystem::path(folder) / name).c_str(), X_OK) == 0)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
 } // namespace
 
 Video::Video(std::filesystem::path file, double framesPerSecond)
     : file_(std::move(file)), framesPerSecond_(framesPerSecond)
 {
     requireKnown(file_);
-    if (!hasProgram("ffmpeg"))
+    if (runProgram(".", {"ffmpeg", "-version"}).error != 0)
     {
         throw Error(
             ErrorCode::cannotCreate,

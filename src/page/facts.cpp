@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "page/facts.hpp"
-
+#include "page/assemble.hpp"
 #include "render/framing/framing.hpp"
 #include "render/overlay/colour_scale.hpp"
 #include "render/picture/mesh_shading.hpp"
@@ -176,20 +175,6 @@ Json cameraJson(const PageView& view)
             {"distance", camera.distance ? Json(*camera.distance) : Json()}};
 }
 
-Json poseJson(const Pose& pose)
-{
-    Json numbers = Json::array();
-    for (int i = 0; i < 9; ++i)
-    {
-        numbers.push_back(pose.rotation(i / 3, i % 3));
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        numbers.push_back(pose.offset[axis]);
-    }
-    return numbers;
-}
-
 } // namespace
 
 PageView pageView(const RunHead& head, const TriangleMesh& mesh)
@@ -241,7 +226,7 @@ Json pageFacts(const RunFileReader& run, const RunHead& head, const PageView& vi
     facts["poses"] = Json::array();
     for (const Pose& pose : head.poses)
     {
-        facts["poses"].push_back(poseJson(pose));
+        facts["poses"].push_back(poseToJson(pose));
     }
     facts["camera"] = cameraJson(view);
     facts["framing"] = framingJson(view);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/atomic_file.hpp"
 #include "page/assemble.hpp"
-#include "page/facts.hpp"
 #include "run_file/file_of_run.hpp"
 #include "run_file/frame_codec.hpp"
 #include "shell/simplified_shell.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/timers.hpp"
 #include "render/overlay/annotated_picture.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/tile_pipeline.hpp"
@@ -9,7 +10,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <memory>
 
@@ -17,13 +17,6 @@ namespace frostfill
 {
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start)
-{
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Longest edge of a picture in tiles, as OpenGL has it in OSMesa.
 constexpr std::int64_t kLongestEdge = 16384;
@@ -126,25 +119,24 @@ const Image& Renderer::draw(const Snapshot& snapshot)
 {
     auto& own = *implementation_;
     auto& picture = own.picture;
-    auto& times = own.times;
-    const auto drawing = Clock::now();
-    const auto& parts = own.backend->draw(snapshot, picture.pixels());
-    times[Stage::rendering] += secondsSince(drawing);
-
-    const auto reading = Clock::now();
-    own.backend->readBack(picture.pixels(), parts);
-    times[Stage::readback] += secondsSince(reading);
-
-    const auto writing = Clock::now();
+    const std::vector<PixelRectangle>* parts = nullptr;
+    {
+        const StageTimer timer(own.times, Stage::rendering);
+        parts = &own.backend->draw(snapshot, picture.pixels());
+    }
+    {
+        const StageTimer timer(own.times, Stage::readback);
+        own.backend->readBack(picture.pixels(), *parts);
+    }
+    const StageTimer timer(own.times, Stage::rendering);
     if (own.finishesWhole())
     {
         own.finishWhole(snapshot);
     }
     else
     {
-        picture.finish(parts, own.backend->legend(), snapshot);
+        picture.finish(*parts, own.backend->legend(), snapshot);
     }
-    times[Stage::rendering] += secondsSince(writing);
     return own.finishesWhole() ? own.whole : picture.image();
 }
 
@@ -163,26 +155,23 @@ void Renderer::render(const Snapshot& snapshot, Image& image)
 void Renderer::setCamera(const Camera& camera)
 {
     auto& own = *implementation_;
-    const auto moving = Clock::now();
+    const StageTimer timer(own.times, Stage::rendering);
     own.backend->lookFrom(camera);
-    own.times[Stage::rendering] += secondsSince(moving);
 }
 
 void Renderer::turn(double degrees)
 {
     auto& own = *implementation_;
-    const auto moving = Clock::now();
+    const StageTimer timer(own.times, Stage::rendering);
     own.backend->turn(degrees);
-    own.times[Stage::rendering] += secondsSince(moving);
 }
 
 void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
-    const auto drawing = Clock::now();
+    const StageTimer timer(own.times, Stage::rendering);
     own.backend->drawSurfaces(snapshot, own.settings.size, own.surfaces);
     makePassPictures(own.surfaces, own.backend->framing(), pictures);
-    own.times[Stage::rendering] += secondsSince(drawing);
 }
 
 const std::string& Renderer::description() const

@@ -2,7 +2,6 @@
 #include "run/frame_timing.hpp"
 #include "run/frame_writer.hpp"
 #include "run/recording.hpp"
-#include "run/resume.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_files.hpp"
 #include "run/verdict.hpp"

@@ -3,7 +3,6 @@
 #include "run/frame_drawer.hpp"
 #include "run/frame_timing.hpp"
 #include "run/frame_writer.hpp"
-#include "run/resume.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_head.hpp"
 #include "run_file/file_of_run.hpp"

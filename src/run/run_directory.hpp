@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <frostfill/fill.hpp>
+
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace frostfill
@@ -64,5 +68,17 @@ private:
     std::vector<std::filesystem::path> old_;  ///< of the earlier run
     std::vector<std::filesystem::path> left_; ///< by one that was killed: not worth keeping
 };
+
+/// The mesh of the run that the directory holds, as it is simulated; empty if none is kept there.
+/// Throws Error badData or usage for a run of another version or another scene, with which the
+/// request cannot go on.
+[[nodiscard]] std::optional<LoadedMesh> meshOfEarlierRun(const FillRequest& request);
+
+/// The first setting by which two scenes give different runs, "seed = 1, not 2"; empty if there is
+/// none. The number of threads and similar options change no bit.
+[[nodiscard]] std::string sceneDifference(const Scene& begun, const Scene& now);
+
+/// What to do with the files in the directory of a request; `resumes`: with a run that is kept.
+[[nodiscard]] EarlierRun earlierFiles(const FillRequest& request, bool resumes);
 
 } // namespace frostfill

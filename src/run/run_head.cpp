@@ -26,24 +26,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kNever = std::numeric_limits<double>::max();
 
-/// The rotation row by row, then the offset.
-Json poseToJson(const Pose& pose)
-{
-    Json numbers = Json::array();
-    for (int row = 0; row < 3; ++row)
-    {
-        for (int column = 0; column < 3; ++column)
-        {
-            numbers.push_back(pose.rotation(row, column));
-        }
-    }
-    for (int axis = 0; axis < 3; ++axis)
-    {
-        numbers.push_back(pose.offset[axis]);
-    }
-    return numbers;
-}
-
 Pose poseFromJson(const Json& numbers)
 {
     Pose pose;
@@ -59,6 +41,20 @@ Pose poseFromJson(const Json& numbers)
 }
 
 } // namespace
+
+Json poseToJson(const Pose& pose)
+{
+    Json numbers = Json::array();
+    for (int i = 0; i < 9; ++i)
+    {
+        numbers.push_back(pose.rotation(i / 3, i % 3));
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        numbers.push_back(pose.offset[axis]);
+    }
+    return numbers;
+}
 
 ColourFacts colourFacts(const Scene& scene, const Simulation& simulation)
 {

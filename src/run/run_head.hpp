@@ -4,6 +4,8 @@
 #include <frostfill/scene.hpp>
 #include <frostfill/simulation.hpp>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <string>
 #include <vector>
 
@@ -41,6 +43,9 @@ struct RunHead
     /// The file of another program that the run was read from; empty for a run of our own.
     std::string importedFrom;
 };
+
+/// Returns the rotation row by row, then the offset.
+[[nodiscard]] nlohmann::ordered_json poseToJson(const Pose& pose);
 
 /// JSON.
 [[nodiscard]] std::string headText(const RunHead& head);

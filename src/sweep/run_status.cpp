@@ -3,7 +3,7 @@
 
 #include "output/scene_json.hpp"
 #include "run/recording.hpp"
-#include "run/resume.hpp"
+#include "run/run_directory.hpp"
 #include "run/run_head.hpp"
 #include "run_file/file_of_run.hpp"
 #include "sweep/claim.hpp"

@@ -3,7 +3,6 @@
 
 #include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/passes/ground_pass.hpp"
 #include "render/passes/mesh_pass.hpp"
 #include "render/passes/sphere_pass.hpp"
 #include "render/picture/dirty_rectangles.hpp"

@@ -3,8 +3,10 @@
 // colours, settings, dirty parts. It has the interface of a backend, and no OpenGL.
 #pragma once
 
+#include "render/framing/framing.hpp"
 #include "render/framing/pixel_rectangle.hpp"
-#include "render/overlay/viewpoint.hpp"
+#include "render/overlay/colour_scale.hpp"
+#include "render/overlay/legend.hpp"
 #include "render/picture/drawn_shell.hpp"
 #include "render/picture/surfaces.hpp"
 
@@ -17,6 +19,43 @@
 
 namespace frostfill
 {
+
+/// From where the object is seen, beside its legend, when the camera and the object move.
+class Viewpoint
+{
+public:
+    /// Throws Error usage for settings that cannot be drawn.
+    Viewpoint(const TriangleMesh& mesh, const RenderSettings& wanted);
+
+    /// Looks from somewhere else from now on. Whether there is perspective cannot change. Throws
+    /// Error usage for a camera that makes no sense.
+    void lookFrom(const Camera& camera);
+    /// Turns the camera about the up axis, from where lookFrom or the settings have it [degree].
+    /// Returns whether that changes anything.
+    bool turn(double degrees);
+    /// Looks at the object where it is in the snapshot. Returns whether that changes anything.
+    bool follow(const Snapshot& snapshot);
+
+    /// With the azimuth of the front if none was given.
+    [[nodiscard]] const RenderSettings& settings() const { return settings_; }
+    [[nodiscard]] const SphereColours& colours() const { return colours_; }
+    [[nodiscard]] const Legend& legend() const { return legend_; }
+    [[nodiscard]] const Framing& framing() const { return framing_; }
+
+private:
+    void renew();
+
+    RenderSettings settings_;
+    std::vector<Eigen::Vector3d> vertices_; ///< of the mesh, for framing
+    SphereColours colours_;
+    Legend legend_;
+    Framing still_;                                    ///< as the camera has it
+    Framing framing_;                                  ///< turned, and with the object moved
+    double turned_ = 0;                                ///< [degree]
+    bool moved_ = false;                               ///< the object has been in a pose of its own
+    Pose pose_;                                        ///< of the object
+    Eigen::Vector3d origin_ = Eigen::Vector3d::Zero(); ///< about which it is
+};
 
 /// What draws pictures of one mesh, and keeps from picture to picture what it likes.
 class PictureBackend

@@ -3,8 +3,8 @@
 
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
-#include "render/overlay/viewpoint.hpp"
 #include "render/picture/mesh_shading.hpp"
+#include "render/picture/picture_backend.hpp"
 #include "render/picture/sphere_instance.hpp"
 #include "render/raster/shell/shell_raster.hpp"
 #include "render/raster/spheres/resting_tile.hpp"

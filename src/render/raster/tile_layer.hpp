@@ -5,10 +5,10 @@
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/picture/studio.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
-#include "render/raster/spheres/ground_raster.hpp"
 #include "render/raster/spheres/resting_tile.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The legend shows what there is in the picture: its swatches have the colours that are found
 // there.
-#include "render/overlay/viewpoint.hpp"
+#include "render/picture/picture_backend.hpp"
 #include "support/drawn_with.hpp"
 
 #include <frostfill/renderer.hpp>

@@ -4,7 +4,6 @@
 #include "render/picture/sphere_draw_list.hpp"
 #include "render/picture/sphere_occlusion.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
-#include "render/raster/spheres/ground_raster.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
 
 #include <array>
@@ -16,6 +15,9 @@
 
 namespace frostfill
 {
+
+/// The pixels of a tile, rows upwards.
+using TileBackground = std::array<std::uint32_t, kTilePixels>;
 
 /// The spheres at rest, with all that it takes to draw one.
 struct RestingSpheres

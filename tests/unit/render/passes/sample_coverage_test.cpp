@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which samples of a pixel spheres cover, as OpenGL and as tiles draw them, against a ray caster.
-#include "render/overlay/viewpoint.hpp"
 #include "render/picture/painter_settings.hpp"
+#include "render/picture/picture_backend.hpp"
 #include "render/picture/surfaces.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 #include "support/drawn_with.hpp"
