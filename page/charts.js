@@ -60,11 +60,7 @@ function chart(title, rows, layers) {
   const y = (value) => (height - foot - (height - foot - 8) * value / top).toFixed(1);
   const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img",
     "aria-label": `${title}, by set; the table has the numbers` });
-  for (const line of [0, 0.5, 1]) {
-    picture.append(svg("line", { class: "rule", x1: left, x2: width - 8, y1: y(line * top), y2: y(line * top) }));
-    picture.append(svg("text", { x: left - 6, y: Number(y(line * top)) + 3.5, "text-anchor": "end" },
-      readable(line * top)));
-  }
+  rules(picture, left, width - 8, (share) => y(share * top), (share) => readable(share * top));
   for (const [name, points] of stacked.reverse()) {
     const path = points.map((point) => `${x(point.set)} ${y(point.value)}`).join("L");
     picture.append(layers.length > 1
@@ -75,6 +71,18 @@ function chart(title, rows, layers) {
     picture.append(svg("text", { x: x(set), y: height - 4, "text-anchor": set ? "end" : "start" },
       set ? `set ${set}` : "0"));
   }
+  return figureOf(title, picture);
+}
+
+/** Lines across a chart at 0, half and all of its height, with what they stand for. */
+function rules(picture, left, right, y, name) {
+  for (const share of [0, 0.5, 1]) {
+    picture.append(svg("line", { class: "rule", x1: left, x2: right, y1: y(share), y2: y(share) }));
+    picture.append(svg("text", { x: left - 6, y: Number(y(share)) + 3.5, "text-anchor": "end" }, name(share)));
+  }
+}
+
+function figureOf(title, picture) {
   const figure = document.createElement("figure");
   const caption = document.createElement("figcaption");
   caption.textContent = title;

@@ -9,11 +9,7 @@ function sizesChart(points) {
   const y = (share) => (height - foot - (height - foot - 8) * share).toFixed(1);
   const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img",
     "aria-label": "Share of the mass up to a radius: a line as asked, points as achieved" });
-  for (const share of [0, 0.5, 1]) {
-    picture.append(svg("line", { class: "rule", x1: left, x2: width - 8, y1: y(share), y2: y(share) }));
-    picture.append(svg("text", { x: left - 6, y: Number(y(share)) + 3.5, "text-anchor": "end" },
-      `${100 * share} %`));
-  }
+  rules(picture, left, width - 8, y, (share) => `${100 * share} %`);
   const asked = points.map((point) => `${x(point.radius)} ${y(point.asked_by_mass)}`).join("L");
   picture.append(svg("path", { class: "plain line", d: `M${asked}` }));
   for (const point of points) {
@@ -29,11 +25,8 @@ function showSizes() {
   const sizes = facts.summary?.sizes;
   part("sizes").hidden = !sizes;
   if (sizes) {
-    const figure = document.createElement("figure");
-    const caption = document.createElement("figcaption");
-    caption.textContent = "Share of the mass up to a radius: line as asked, points as achieved";
-    figure.append(caption, sizesChart(sizes.points));
-    part("size-curve").append(figure);
+    part("size-curve").append(figureOf(
+      "Share of the mass up to a radius: line as asked, points as achieved", sizesChart(sizes.points)));
     fillList(part("size-facts"), [
       ["Farthest off, of the mass", `${(100 * sizes.deviation).toPrecision(2)} %`],
       ["At the radius", readable(sizes.at_radius)],

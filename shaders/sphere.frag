@@ -25,7 +25,6 @@ flat in vec3 stripeAxis;
 
 uniform float depthAtInfinity; // A0; perspective
 uniform float depthSlope; // window depth over distance; orthographic
-uniform float leastDepth; // what comes nearer than the picture begins has this; the legend is before it
 #ifdef SAMPLES
 uniform vec2 samplePositions[SAMPLES]; // from the pixel's centre [pixel]
 #endif
@@ -150,7 +149,7 @@ void main()
 #else
     float depth = depthAtInfinity - 0.5 * projection[3][2] / hit.z;
 #endif
-    gl_FragDepth = seen ? max(depth, leastDepth) : 2.0;
+    gl_FragDepth = seen ? depth : 2.0;
 
     vec3 fromCentre = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
     if (met.capped)
@@ -189,7 +188,7 @@ void main()
     // Beyond the far plane is never drawn, and cheaper than `discard`.
     depth = rhoSquared < 1.0 ? depth : 2.0;
 #endif
-    gl_FragDepth = max(depth, leastDepth);
+    gl_FragDepth = depth; // what comes nearer than the picture begins is clamped
 
     vec3 normal = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
     colour = vec4(shaded(normal, corner, rhoSquared, w), 1.0);

@@ -275,10 +275,10 @@ std::unique_ptr<FrameRecorder> stoppableRecorder(const FillRequest& request, con
 }
 
 /// Shows the last state, of a run that has come to its end.
-void drawTheRest(FrameRecorder& recorder, RunStates& states, const Simulation& simulation,
+void drawTheRest(FrameRecorder& recorder, const RunState& last, const Simulation& simulation,
                  const FillObserver& observer, std::size_t pictures)
 {
-    recorder.finish(states,
+    recorder.finish(last,
                     [&]
                     {
                         if (observer.progressed)
@@ -404,9 +404,8 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     const FramePainter* painter = recorder ? recorder->painter() : nullptr;
     if (recorder)
     {
-        LiveStates live(simulation);
-        drawTheRest(*recorder, states ? static_cast<RunStates&>(*states) : live, simulation,
-                    observer, frames.kept);
+        drawTheRest(*recorder, states ? states->at(states->count() - 1) : stateOf(simulation),
+                    simulation, observer, frames.kept);
     }
     if (painter != nullptr)
     {

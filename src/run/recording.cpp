@@ -19,27 +19,38 @@
 namespace frostfill
 {
 
-SphereRecord KeptStates::sphere(std::size_t id) const
+RunState stateOf(const Simulation& simulation)
 {
-    SphereRecord sphere;
-    sphere.centre = reader_.centres()[id];
-    sphere.radius = reader_.radii()[id];
-    sphere.group = now_->groups[id];
-    sphere.state = now_->states[id];
-    return sphere;
+    return {simulation.time(), simulation.revision(), simulation.sphereCount(),
+            [&](std::uint32_t id) { return simulation.sphere(id); },
+            [&](Snapshot& snapshot) { simulation.capture(snapshot); }};
 }
 
-void KeptStates::capture(Snapshot& snapshot)
+RunState KeptStates::at(std::size_t index)
 {
-    const std::size_t known = snapshot.states.size(); // what falls has been taken out behind
-    snapshot = *now_;
-    reader_.forgetChanges();
-    auto& changed = snapshot.changed;
-    changed.erase(std::lower_bound(changed.begin(), changed.end(), known), changed.end());
-    for (std::size_t id = known; id < sphereCount(); ++id)
+    const Snapshot& now = reader_.seek(index);
+    const auto exact = [this, &now](std::uint32_t id)
     {
-        changed.push_back(static_cast<std::uint32_t>(id));
-    }
+        SphereRecord sphere;
+        sphere.centre = reader_.centres()[id];
+        sphere.radius = reader_.radii()[id];
+        sphere.group = now.groups[id];
+        sphere.state = now.states[id];
+        return sphere;
+    };
+    const auto capture = [this, &now](Snapshot& snapshot)
+    {
+        const std::size_t known = snapshot.states.size(); // what falls has been taken out behind
+        snapshot = now;
+        reader_.forgetChanges();
+        auto& changed = snapshot.changed;
+        changed.erase(std::lower_bound(changed.begin(), changed.end(), known), changed.end());
+        for (std::size_t id = known; id < snapshot.states.size(); ++id)
+        {
+            changed.push_back(static_cast<std::uint32_t>(id));
+        }
+    };
+    return {now.time, reader_.revision(), now.states.size(), exact, capture};
 }
 
 FrameRecorder::FrameRecorder(std::unique_ptr<FramePainter> painter, double smallestRadius,
@@ -84,21 +95,21 @@ double FrameRecorder::timeAt(std::size_t frame) const
     return static_cast<double>(frame) * interval_ - (falls_ ? falls_->lag() : 0);
 }
 
-void FrameRecorder::record(RunStates& run)
+void FrameRecorder::record(const RunState& run)
 {
     // A step may be longer than the time between frames: then several frames show it.
-    while (run.time() >= timeAt(next_) && !(stopRequested_ && stopRequested_()))
+    while (run.time >= timeAt(next_) && !(stopRequested_ && stopRequested_()))
     {
         takeNext(run);
     }
 }
 
-void FrameRecorder::takeNext(RunStates& run)
+void FrameRecorder::takeNext(const RunState& run)
 {
     const bool draws = painter_ && painter_->wants(next_);
     if (draws || (file_ && !lastOnly_))
     {
-        observe(run, std::min(timeAt(next_), run.time()));
+        observe(run, std::min(timeAt(next_), run.time));
     }
     if (draws)
     {
@@ -117,9 +128,9 @@ FramePainter::State FrameRecorder::state()
     return {&snapshots_[newest_], revision_};
 }
 
-void FrameRecorder::observe(RunStates& run, double time)
+void FrameRecorder::observe(const RunState& run, double time)
 {
-    if (seen_ == run.revision() && (!falls_ || over_))
+    if (seen_ == run.revision && (!falls_ || over_))
     {
         if (file_)
         {
@@ -129,16 +140,16 @@ void FrameRecorder::observe(RunStates& run, double time)
     }
     capture(run, time);
     const auto exact = [&](std::uint32_t id)
-    { return id < run.sphereCount() ? run.sphere(id) : falls_->sphere(id); };
+    { return id < run.spheres ? run.exact(id) : falls_->sphere(id); };
     roundPlaces(snapshots_[newest_], smallestRadius_, exact);
     if (file_)
     {
         file_->put(next_, snapshots_[newest_], exact);
     }
-    seen_ = run.revision();
+    seen_ = run.revision;
 }
 
-void FrameRecorder::capture(RunStates& run, double time)
+void FrameRecorder::capture(const RunState& run, double time)
 {
     // With one picture at most waiting and one being drawn, the third snapshot is free.
     newest_ = (newest_ + (isGiven_ ? 1 : 0)) % snapshots_.size();
@@ -157,7 +168,7 @@ void FrameRecorder::capture(RunStates& run, double time)
     snapshot.revision = ++revision_;
 }
 
-void FrameRecorder::finish(RunStates& run, const std::function<void()>& taken)
+void FrameRecorder::finish(const RunState& run, const std::function<void()>& taken)
 {
     if (falls_)
     {
@@ -165,7 +176,7 @@ void FrameRecorder::finish(RunStates& run, const std::function<void()>& taken)
     }
     over_ = true;
     next_ = lastOnly_ ? 0 : next_;
-    observe(run, run.time());
+    observe(run, run.time);
     if (painter_)
     {
         painter_->finish(next_, state(), taken);
@@ -373,13 +384,12 @@ RunEnd stepThrough(Simulation& simulation, const FrameRecorder* recorder,
 RunEnd simulate(Simulation& simulation, FrameRecorder* recorder, const FillRequest& request,
                 const FillObserver& observer)
 {
-    LiveStates states(simulation);
     return stepThrough(simulation, recorder, request, observer,
                        [&]
                        {
                            if (recorder != nullptr)
                            {
-                               recorder->record(states);
+                               recorder->record(stateOf(simulation));
                            }
                        });
 }
@@ -426,10 +436,10 @@ RunEnd replay(RunEnd end, KeptStates& states, FrameRecorder& recorder, const Sim
     const std::size_t last = states.count() - 1;
     for (std::size_t state = 0; end != RunEnd::stopped && state < last; ++state)
     {
-        states.seek(state);
-        recorder.record(states);
+        const RunState now = states.at(state);
+        recorder.record(now);
         progress.frames = recorder.count();
-        progress.time = states.time();
+        progress.time = now.time;
         if (observer.progressed)
         {
             observer.progressed(progress);
@@ -439,7 +449,6 @@ RunEnd replay(RunEnd end, KeptStates& states, FrameRecorder& recorder, const Sim
             end = RunEnd::stopped;
         }
     }
-    states.seek(last);
     return end;
 }
 

@@ -21,54 +21,30 @@ namespace frostfill
 {
 
 /// A run as its recorder sees it, at one of its states.
-class RunStates
+struct RunState
 {
-public:
-    virtual ~RunStates() = default;
-    [[nodiscard]] virtual double time() const = 0;            ///< [s] simulated
-    [[nodiscard]] virtual std::uint64_t revision() const = 0; ///< grows with each change
-    [[nodiscard]] virtual std::size_t sphereCount() const = 0;
-    /// Exact where the sphere is at rest.
-    [[nodiscard]] virtual SphereRecord sphere(std::size_t id) const = 0;
-    /// See Simulation::capture. Names at least what has changed since the last capture.
-    virtual void capture(Snapshot& snapshot) = 0;
+    double time;                            ///< [s] simulated
+    std::uint64_t revision;                 ///< grows with each change
+    std::size_t spheres;                    ///< their number
+    ExactSphere exact;                      ///< where the sphere is at rest
+    std::function<void(Snapshot&)> capture; ///< see Simulation::capture
 };
 
-/// As it is simulated.
-class LiveStates final : public RunStates
+/// Returns the run as it is simulated, until its next step.
+[[nodiscard]] RunState stateOf(const Simulation& simulation);
+
+/// A run that was simulated before its pictures, and kept step by step in a run file.
+class KeptStates
 {
 public:
-    explicit LiveStates(const Simulation& simulation) : simulation_(simulation) {}
-    [[nodiscard]] double time() const override { return simulation_.time(); }
-    [[nodiscard]] std::uint64_t revision() const override { return simulation_.revision(); }
-    [[nodiscard]] std::size_t sphereCount() const override { return simulation_.sphereCount(); }
-    [[nodiscard]] SphereRecord sphere(std::size_t id) const override
-    {
-        return simulation_.sphere(id);
-    }
-    void capture(Snapshot& snapshot) override { simulation_.capture(snapshot); }
-
-private:
-    const Simulation& simulation_;
-};
-
-/// As it was simulated before its pictures, and kept step by step in a run file.
-class KeptStates final : public RunStates
-{
-public:
-    explicit KeptStates(const std::filesystem::path& file) : reader_(file) { seek(0); }
+    explicit KeptStates(const std::filesystem::path& file) : reader_(file) {}
     [[nodiscard]] std::size_t count() const { return reader_.frames().size(); }
-    /// Goes on to a state.
-    void seek(std::size_t index) { now_ = &reader_.seek(index); }
-    [[nodiscard]] double time() const override { return now_->time; }
-    [[nodiscard]] std::uint64_t revision() const override { return reader_.revision(); }
-    [[nodiscard]] std::size_t sphereCount() const override { return now_->states.size(); }
-    [[nodiscard]] SphereRecord sphere(std::size_t id) const override;
-    void capture(Snapshot& snapshot) override;
+    /// Returns a state, until the next call. Its capture names at least what has changed since the
+    /// last one.
+    [[nodiscard]] RunState at(std::size_t index);
 
 private:
     RunFileReader reader_;
-    const Snapshot* now_ = nullptr;
 };
 
 /// Looks at a run at the times of frames. What it sees goes to the painter and into the run
@@ -93,9 +69,9 @@ public:
     /// step and those for which the last state is held are left out.
     void stopWhen(std::function<bool()> requested);
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
-    void record(RunStates& run);
+    void record(const RunState& run);
     /// Takes the last state; see FramePainter::finish.
-    void finish(RunStates& run, const std::function<void()>& taken = {});
+    void finish(const RunState& run, const std::function<void()>& taken = {});
 
     /// Null without pictures.
     [[nodiscard]] const FramePainter* painter() const { return painter_.get(); }
@@ -109,9 +85,9 @@ public:
 
 private:
     [[nodiscard]] double timeAt(std::size_t frame) const;
-    void takeNext(RunStates& run);
-    void observe(RunStates& run, double time);
-    void capture(RunStates& run, double time);
+    void takeNext(const RunState& run);
+    void observe(const RunState& run, double time);
+    void capture(const RunState& run, double time);
     [[nodiscard]] FramePainter::State state();
 
     std::unique_ptr<RunFileWriter> file_;

@@ -13,8 +13,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cctype>
-#include <cstdlib>
-#include <filesystem>
 #include <string>
 #include <type_traits>
 
@@ -102,15 +100,6 @@ std::unique_ptr<Context> openContext(Backend backend)
         throw Error(ErrorCode::noOpenGl,
                     fmt::format("no OpenGL context is available: {} (to install it: {})",
                                 error.what(), choice->remedy));
-    }
-}
-
-void makeShaderCache()
-{
-    std::error_code none;
-    if (const char* folder = std::getenv("MESA_SHADER_CACHE_DIR"))
-    {
-        std::filesystem::create_directories(folder, none);
     }
 }
 

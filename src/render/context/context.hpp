@@ -64,8 +64,4 @@ struct BackendChoice
 /// with the code of noOpenGl: nothing else gets out of it.
 [[nodiscard]] std::unique_ptr<Context> openContext(Backend backend);
 
-/// Creates the folder in which Mesa keeps the shaders that it has compiled, if the environment
-/// names one. To be called before its library is opened.
-void makeShaderCache();
-
 } // namespace frostfill

@@ -153,7 +153,6 @@ void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniform
     program_.set("projection", uniforms.projection);
     program_.set("depthAtInfinity", uniforms.depthAtInfinity);
     program_.set("depthSlope", uniforms.depthSlope);
-    program_.set("leastDepth", uniforms.leastDepth);
     program_.set("pixelScale", uniforms.pixelScale);
     program_.set("supersample", uniforms.supersample);
     program_.set("heightPlane", std::span(&uniforms.heightPlane, 1));

@@ -44,7 +44,6 @@ SphereUniforms uniformsOf(const Framing& framing, const RenderSettings& settings
     uniforms.projection = framing.projection;
     uniforms.depthAtInfinity = static_cast<float>(framing.depthAtInfinity);
     uniforms.depthSlope = static_cast<float>(framing.depthSlope);
-    uniforms.leastDepth = 1e-4F; // swatches have half of it
     uniforms.pixelScale = 0.5F * static_cast<float>(framing.projection[1][1]) *
                           static_cast<float>(settings.size.height);
     uniforms.supersample = static_cast<float>(settings.supersample);

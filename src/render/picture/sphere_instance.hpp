@@ -41,7 +41,6 @@ struct SphereUniforms
     glm::mat4 projection{1};
     float depthAtInfinity = 0;
     float depthSlope = 0;
-    float leastDepth = 0;  ///< window depth; OpenGL
     float pixelScale = 1;  ///< pixels in a length of 1 at distance 1
     float supersample = 1; ///< drawn for one pixel of the picture, each way
     glm::vec4 heightPlane{0, 0, 0, 1};

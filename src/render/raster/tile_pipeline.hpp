@@ -6,7 +6,7 @@
 #include "render/picture/picture_backend.hpp"
 #include "render/picture/sphere_draw_list.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
-#include "render/raster/shell/kept_shell.hpp"
+#include "render/raster/shell/shell_raster.hpp"
 #include "render/raster/swatch_raster.hpp"
 #include "render/raster/tile_layer.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/shell/kept_shell.hpp"
+#include "render/raster/shell/shell_raster.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "render/raster/shell/kept_shell.hpp"
-
 #include "render/picture/painter_settings.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
+#include "render/raster/shell/shell_raster.hpp"
 #include "support/pictures.hpp"
 
 #include <glm/geometric.hpp>

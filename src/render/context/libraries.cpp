@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// EGL: where Mesa comes without OSMesa (from 25.1 on), and the way to a graphics card.
+// The libraries that give contexts without a screen: OSMesa, which is Mesa's software renderer drawing
+// to memory, and EGL, where Mesa comes without OSMesa (from 25.1 on), and the way to a graphics card.
 #include "render/context/context.hpp"
+#include "render/context/gl.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -10,6 +12,9 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +23,141 @@ namespace frostfill
 {
 namespace
 {
+
+/// Opens the first of these libraries, or says why there is none.
+void* openFirst(std::initializer_list<const char*> names, std::string& failure)
+{
+    std::error_code none;
+    if (const char* folder = std::getenv("MESA_SHADER_CACHE_DIR"))
+    {
+        std::filesystem::create_directories(folder, none); // Mesa does not
+    }
+    for (const char* name : names)
+    {
+        if (void* library = ::dlopen(name, RTLD_NOW | RTLD_LOCAL))
+        {
+            failure.clear();
+            return library;
+        }
+        const char* reason = ::dlerror();
+        failure += failure.empty() ? "" : "; ";
+        failure += reason != nullptr ? reason : name;
+    }
+    return nullptr;
+}
+
+template <class Function>
+void resolve(void* library, const char* name, Function& function, std::string& failure)
+{
+    function = reinterpret_cast<Function>(::dlsym(library, name));
+    if (function == nullptr)
+    {
+        failure = fmt::format("the library has no {}", name);
+    }
+}
+
+// What we use of OSMesa, so that no headers of it are needed to build. Values are GL/osmesa.h's.
+struct OsmesaHandle; // of a context
+constexpr int kFormat = 0x22;
+constexpr int kProfile = 0x33;
+constexpr int kCoreProfile = 0x34;
+constexpr int kContextMajorVersion = 0x36;
+constexpr int kContextMinorVersion = 0x37;
+
+/// OSMesa insists on a buffer of its own. We draw to framebuffer objects, so the smallest will do.
+constexpr int kOwnBufferSize = 4;
+
+/// The library, opened when it is first asked for and kept until the process ends: Mesa leaves
+/// threads and thread-local data behind that do not survive its unloading. Linking it instead would
+/// give null functions, without any error, wherever libGL came before it.
+struct OsmesaLibrary
+{
+    OsmesaHandle* (*create)(const int*, OsmesaHandle*) = nullptr;
+    void (*destroy)(OsmesaHandle*) = nullptr;
+    GLboolean (*makeCurrent)(OsmesaHandle*, void*, GLenum, GLsizei, GLsizei) = nullptr;
+    GlProcedure (*procedure)(const char*) = nullptr;
+    std::string failure; ///< empty when the library is usable
+};
+
+OsmesaLibrary openOsmesaLibrary()
+{
+    OsmesaLibrary result;
+    if (void* library =
+            openFirst({"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}, result.failure))
+    {
+        resolve(library, "OSMesaCreateContextAttribs", result.create, result.failure);
+        resolve(library, "OSMesaDestroyContext", result.destroy, result.failure);
+        resolve(library, "OSMesaMakeCurrent", result.makeCurrent, result.failure);
+        resolve(library, "OSMesaGetProcAddress", result.procedure, result.failure);
+    }
+    return result;
+}
+
+const OsmesaLibrary& osmesaLibrary()
+{
+    static const OsmesaLibrary library = openOsmesaLibrary();
+    return library;
+}
+
+class OsmesaContext final : public Context
+{
+public:
+    OsmesaContext() : library_(osmesaLibrary())
+    {
+        if (!library_.failure.empty())
+        {
+            throw Error(ErrorCode::noOpenGl, "osmesa: " + library_.failure);
+        }
+        // Asked for 3.3 it gives the newest core context it has; asked for its newest, nothing.
+        constexpr std::array kAttributes = {kFormat,
+                                            static_cast<int>(GL_RGBA),
+                                            kProfile,
+                                            kCoreProfile,
+                                            kContextMajorVersion,
+                                            3,
+                                            kContextMinorVersion,
+                                            3,
+                                            0};
+        context_ = library_.create(kAttributes.data(), nullptr);
+        if (context_ == nullptr)
+        {
+            throw Error(ErrorCode::noOpenGl, "osmesa: no OpenGL 3.3 core context can be created");
+        }
+        makeCurrent();
+    }
+
+    ~OsmesaContext() override
+    {
+        wake();
+        if (context_ != nullptr)
+        {
+            library_.destroy(context_);
+        }
+    }
+
+    [[nodiscard]] const char* name() const override { return "osmesa"; }
+
+    [[nodiscard]] GlProcedure procedure(const char* name) const override
+    {
+        return library_.procedure(name);
+    }
+
+private:
+    void bind() override
+    {
+        if (library_.makeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, kOwnBufferSize,
+                                 kOwnBufferSize) == GL_FALSE)
+        {
+            throw Error(ErrorCode::noOpenGl, "osmesa: the context cannot be made current");
+        }
+    }
+
+    void unbind() override { library_.makeCurrent(nullptr, nullptr, 0, 0, 0); }
+
+    const OsmesaLibrary& library_;
+    OsmesaHandle* context_ = nullptr;
+    std::array<unsigned char, std::size_t{kOwnBufferSize} * kOwnBufferSize * 4> buffer_{};
+};
 
 // What we use of EGL 1.5, so that no headers of it are needed to build. Values are the registry's.
 using Display = void*;
@@ -62,31 +202,18 @@ struct EglLibrary
 
 EglLibrary openEglLibrary()
 {
-    makeShaderCache();
     EglLibrary egl;
-    void* library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (library == nullptr)
+    if (void* library = openFirst({"libEGL.so.1"}, egl.failure))
     {
-        const char* reason = ::dlerror();
-        egl.failure = reason != nullptr ? reason : "libEGL.so.1";
-        return egl;
+        resolve(library, "eglGetProcAddress", egl.procedure, egl.failure);
+        resolve(library, "eglBindAPI", egl.bindApi, egl.failure);
+        resolve(library, "eglInitialize", egl.initialize, egl.failure);
+        resolve(library, "eglChooseConfig", egl.chooseConfig, egl.failure);
+        resolve(library, "eglCreateContext", egl.createContext, egl.failure);
+        resolve(library, "eglDestroyContext", egl.destroyContext, egl.failure);
+        resolve(library, "eglMakeCurrent", egl.makeCurrent, egl.failure);
+        resolve(library, "eglGetError", egl.error, egl.failure);
     }
-    const auto resolve = [&](const char* name, auto& function)
-    {
-        function = reinterpret_cast<std::decay_t<decltype(function)>>(::dlsym(library, name));
-        if (function == nullptr)
-        {
-            egl.failure = fmt::format("the library has no {}", name);
-        }
-    };
-    resolve("eglGetProcAddress", egl.procedure);
-    resolve("eglBindAPI", egl.bindApi);
-    resolve("eglInitialize", egl.initialize);
-    resolve("eglChooseConfig", egl.chooseConfig);
-    resolve("eglCreateContext", egl.createContext);
-    resolve("eglDestroyContext", egl.destroyContext);
-    resolve("eglMakeCurrent", egl.makeCurrent);
-    resolve("eglGetError", egl.error);
     if (!egl.failure.empty())
     {
         return egl;
@@ -226,6 +353,11 @@ private:
 };
 
 } // namespace
+
+std::unique_ptr<Context> openOsmesa()
+{
+    return std::make_unique<OsmesaContext>();
+}
 
 std::unique_ptr<Context> openEgl()
 {
