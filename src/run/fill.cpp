@@ -4,7 +4,6 @@
 #include "run/recording.hpp"
 #include "run/run_directory.hpp"
 #include "run/run_files.hpp"
-#include "run/verdict.hpp"
 #include "scene/packing_estimate.hpp"
 
 #include <frostfill/fill.hpp>

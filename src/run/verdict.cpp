@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/verdict.hpp"
+#include "run/run_files.hpp"
 
 #include <frostfill/render_run.hpp>
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 
 namespace frostfill
 {
@@ -26,21 +25,6 @@ int sizeLimit(const GlFunctions& gl)
     gl.getIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer);
     gl.getIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
     return std::min({renderbuffer, viewport[0], viewport[1]});
-}
-
-/// Divides the colours of a row by their alpha.
-void copyWithStraightAlpha(const std::uint8_t* from, int count, std::uint8_t* to)
-{
-    for (int x = 0; x < count; ++x, from += 4, to += 4)
-    {
-        const int alpha = from[3];
-        for (std::size_t c = 0; c < 3; ++c)
-        {
-            const int straight = alpha == 0 ? 0 : (from[c] * 255 + alpha / 2) / alpha;
-            to[c] = static_cast<std::uint8_t>(std::min(straight, 255));
-        }
-        to[3] = from[3];
-    }
 }
 
 } // namespace
@@ -155,19 +139,8 @@ void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> recta
             const auto row = height - 1 - static_cast<std::size_t>(y);
             std::uint8_t* to = image.pixels.data() +
                                (row * width + static_cast<std::size_t>(part.left)) * channels;
-            if (withAlpha)
-            {
-                copyWithStraightAlpha(from, part.width(), to);
-                from += 4 * static_cast<std::ptrdiff_t>(part.width());
-                continue;
-            }
-            // Four bytes at once; the next pixel overwrites the fourth, so the last takes three.
-            for (int x = part.left + 1; x < part.right; ++x, from += 4, to += 3)
-            {
-                std::memcpy(to, from, 4);
-            }
-            std::memcpy(to, from, 3);
-            from += 4;
+            writePixels(from, part.width(), image.channels, to);
+            from += 4 * static_cast<std::ptrdiff_t>(part.width());
         }
     }
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 
 namespace frostfill
 {
@@ -51,6 +52,32 @@ struct PixelRectangle
 {
     return {std::max(a.left, b.left), std::max(a.bottom, b.bottom), std::min(a.right, b.right),
             std::min(a.top, b.top)};
+}
+
+/// Writes a row of premultiplied RGBA into a picture of three channels, or of four: then colours
+/// are divided by alpha.
+inline void writePixels(const std::uint8_t* from, int count, int channels, std::uint8_t* to)
+{
+    if (channels == 3)
+    {
+        // Four bytes at once; the next pixel overwrites the fourth, so the last takes three.
+        for (int x = 0; x + 1 < count; ++x, from += 4, to += 3)
+        {
+            std::memcpy(to, from, 4);
+        }
+        std::memcpy(to, from, 3);
+        return;
+    }
+    for (int x = 0; x < count; ++x, from += 4, to += 4)
+    {
+        const unsigned alpha = from[3];
+        for (int c = 0; c < 3; ++c)
+        {
+            const unsigned straight = alpha == 0 ? 0 : (from[c] * 255U + alpha / 2) / alpha;
+            to[c] = static_cast<std::uint8_t>(std::min(straight, 255U));
+        }
+        to[3] = from[3];
+    }
 }
 
 } // namespace frostfill

@@ -5,7 +5,6 @@
 #include "render/framing/pixel_rectangle.hpp"
 #include "render/passes/mesh_pass.hpp"
 #include "render/passes/sphere_pass.hpp"
-#include "render/picture/dirty_rectangles.hpp"
 #include "render/picture/drawn_shell.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_occlusion.hpp"
@@ -21,6 +20,29 @@
 
 namespace frostfill
 {
+
+/// The parts of a picture that have to be renewed: a few disjoint rectangles that cover all that
+/// were added. Each costs calls of OpenGL, so that near ones are joined, at the price of pixels
+/// between them that are renewed for nothing.
+class DirtyRectangles
+{
+public:
+    /// Takes the part of it that lies within the picture.
+    DirtyRectangles(int width, int height) : picture_{0, 0, width, height} {}
+
+    void clear() { rectangles_.clear(); }
+    void add(const PixelRectangle& rectangle);
+    void add(std::span<const PixelRectangle> rectangles);
+    void addAll();
+
+    /// Joins until the rectangles are disjoint and few, and returns them.
+    [[nodiscard]] const std::vector<PixelRectangle>& joined();
+    [[nodiscard]] bool empty() const { return rectangles_.empty(); }
+
+private:
+    PixelRectangle picture_;
+    std::vector<PixelRectangle> rectangles_;
+};
 
 /// With several samples a pixel Mesa leaves some of them out along the inside of a scissor
 /// rectangle's edges and draws some along the outside, so that it has to be larger than what is

@@ -5,7 +5,6 @@
 
 #include "render/context/framebuffer.hpp"
 #include "render/layer/scene_painter.hpp"
-#include "render/picture/dirty_rectangles.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_draw_list.hpp"
 

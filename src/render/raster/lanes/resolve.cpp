@@ -2,7 +2,6 @@
 #include "render/raster/lanes/sample_tile.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace frostfill
 {
@@ -30,32 +29,6 @@ void meanOfFour(const SampleTile& tile, int first, int count, Row& mean)
     }
 }
 
-void writeOpaque(const Row& row, int count, std::uint8_t* to)
-{
-    // Four bytes at once; the next pixel overwrites the fourth, so the last takes three.
-    for (int x = 0; x + 1 < count; ++x, to += 3)
-    {
-        std::memcpy(to, &row[static_cast<std::size_t>(x)], 4);
-    }
-    std::memcpy(to, &row[static_cast<std::size_t>(count - 1)], 3);
-}
-
-void writeStraight(const Row& row, int count, std::uint8_t* to)
-{
-    for (int x = 0; x < count; ++x)
-    {
-        const std::uint32_t colour = row[static_cast<std::size_t>(x)];
-        const std::uint32_t alpha = colour >> 24;
-        for (int shift = 0; shift < 24; shift += 8)
-        {
-            const std::uint32_t channel = (colour >> shift) & 255;
-            const std::uint32_t straight = alpha == 0 ? 0 : (channel * 255 + alpha / 2) / alpha;
-            *to++ = static_cast<std::uint8_t>(std::min(straight, 255U));
-        }
-        *to++ = static_cast<std::uint8_t>(alpha);
-    }
-}
-
 } // namespace
 
 void resolve(const SampleTile& tile, const TilePart& part, int samples, Image& image)
@@ -79,8 +52,8 @@ void resolve(const SampleTile& tile, const TilePart& part, int samples, Image& i
                              static_cast<std::size_t>(image.width) +
                          static_cast<std::size_t>(part.left + pixels.left)) *
                         static_cast<std::size_t>(image.channels);
-        image.channels == 4 ? writeStraight(row, count, image.pixels.data() + at)
-                            : writeOpaque(row, count, image.pixels.data() + at);
+        writePixels(reinterpret_cast<const std::uint8_t*>(row.data()), count, image.channels,
+                    image.pixels.data() + at);
     }
 }
 

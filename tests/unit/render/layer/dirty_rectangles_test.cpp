@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/picture/dirty_rectangles.hpp"
-
+#include "render/layer/scene_painter.hpp"
 #include "support/pictures.hpp"
 
 #include <gtest/gtest.h>
