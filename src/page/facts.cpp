@@ -9,11 +9,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
-#include <vector>
 
 namespace frostfill
 {

@@ -9,8 +9,8 @@ namespace frostfill
 {
 
 PicturePlan::PicturePlan(const Scene& scene, std::size_t turn, bool everyFrame)
-    : selection_(framesToDraw(scene)), held_(heldFrames(scene)),
-      turn_(turn), everyFrame_(everyFrame)
+    : selection_(framesToDraw(scene)), held_(heldFrames(scene)), turn_(turn),
+      everyFrame_(everyFrame)
 {
 }
 

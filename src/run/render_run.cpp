@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
-#include <utility>
 #include <vector>
 
 namespace frostfill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The libraries that give contexts without a screen: OSMesa, which is Mesa's software renderer drawing
-// to memory, and EGL, where Mesa comes without OSMesa (from 25.1 on), and the way to a graphics card.
+// The libraries that give contexts without a screen: OSMesa, which is Mesa's software renderer
+// drawing to memory, and EGL, where Mesa comes without OSMesa (from 25.1 on), and the way to a
+// graphics card.
 #include "render/context/context.hpp"
 #include "render/context/gl.hpp"
 

@@ -11,11 +11,9 @@
 #include <glm/vec4.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <utility>
 
 namespace frostfill
 {

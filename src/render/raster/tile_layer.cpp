@@ -11,7 +11,6 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
