@@ -120,7 +120,7 @@ GlFunctions loadGlFunctions(const Context& context)
         return procedure;
     };
 #define FROSTFILL_GL_LOAD(member, type)                                                            \
-    gl.member = reinterpret_cast<std::add_pointer_t<type>>(load(#member));
+    gl.member = reinterpret_cast<decltype(gl.member)>(load(#member));
     FROSTFILL_GL_FUNCTIONS(FROSTFILL_GL_LOAD)
 #undef FROSTFILL_GL_LOAD
     return gl;

@@ -302,6 +302,7 @@ private:
         std::stable_partition(devices.begin(), devices.end(),
                               [&](Device device) { return !isSoftware(device); });
         std::vector<Display> displays;
+        displays.reserve(devices.size() + 1);
         for (Device device : devices)
         {
             displays.push_back(egl_.platformDisplay(kPlatformDevice, device, nullptr));
