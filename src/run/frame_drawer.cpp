@@ -3,6 +3,8 @@
 
 #include "run/frame_timing.hpp"
 
+#include <frostfill/error.hpp>
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -224,13 +226,21 @@ void FrameDrawer::finish()
 
 void FrameDrawer::checkForBlank()
 {
-    if (isDrawn_ && state_ != nullptr && showsSpheres(*state_) &&
-        std::min(settings_.size.width, settings_.size.height) >= kFewPixels)
+    if (!isDrawn_ || state_ == nullptr || !showsSpheres(*state_) ||
+        std::min(settings_.size.width, settings_.size.height) < kFewPixels)
+    {
+        return;
+    }
+    try
     {
         PassPictures seen;
         renderer_->renderPasses(*state_, seen);
         drawn_.blank = std::all_of(seen.depth.pixels.begin(), seen.depth.pixels.end(),
                                    [](std::uint8_t byte) { return byte == 255; });
+    }
+    catch (const Error&)
+    {
+        // The pictures are there: without memory for another pass the run is no worse.
     }
 }
 
