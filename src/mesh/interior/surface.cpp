@@ -160,7 +160,7 @@ public:
             limit_ = its.value;
         }
     }
-    /// What is farther than this is not the nearest.
+    /// No triangle farther than this is the nearest.
     [[nodiscard]] double limit() const { return limit_; }
     [[nodiscard]] SignedDistance found() const
     {

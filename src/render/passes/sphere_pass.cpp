@@ -42,6 +42,15 @@ std::vector<std::uint16_t> indicesOfSquares()
     return indices;
 }
 
+// Shared by the pass of colours and that of surfaces.
+void setCamera(const ShaderProgram& program, const SphereUniforms& uniforms)
+{
+    program.set("view", uniforms.view);
+    program.set("projection", uniforms.projection);
+    program.set("depthAtInfinity", uniforms.depthAtInfinity);
+    program.set("depthSlope", uniforms.depthSlope);
+}
+
 } // namespace
 
 std::string definitionsOf(const ShaderVariant& variant)
@@ -151,10 +160,7 @@ SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
 void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniforms) const
 {
     program_.use();
-    program_.set("view", uniforms.view);
-    program_.set("projection", uniforms.projection);
-    program_.set("depthAtInfinity", uniforms.depthAtInfinity);
-    program_.set("depthSlope", uniforms.depthSlope);
+    setCamera(program_, uniforms);
     program_.set("pixelScale", uniforms.pixelScale);
     program_.set("supersample", uniforms.supersample);
     program_.set("heightPlane", std::span(&uniforms.heightPlane, 1));
@@ -220,10 +226,7 @@ void SurfacePass::draw(std::span<const SphereInstance> spheres, const SphereUnif
     gl_.disable(GL_BLEND);
     gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     program_.use();
-    program_.set("view", uniforms.view);
-    program_.set("projection", uniforms.projection);
-    program_.set("depthAtInfinity", uniforms.depthAtInfinity);
-    program_.set("depthSlope", uniforms.depthSlope);
+    setCamera(program_, uniforms);
     program_.set("cutPlanes", uniforms.cutPlanes);
     buffer_.draw();
     gl_.finish();
