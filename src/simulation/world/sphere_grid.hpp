@@ -121,9 +121,10 @@ public:
     [[nodiscard]] bool isDiscarded(std::uint32_t row) const { return rows_[row].discarded; }
     void discard(std::uint32_t row) { rows_[row].discarded = true; }
 
-    /// Calls visit(row) for each sphere in the cells that a ball of radius `reach` about p meets,
-    /// and maybe for a few more. `reach` is meant for the largest spheres, whose radius is 1: of a
-    /// smaller one the centre is looked for as much nearer as its radius is smaller.
+    /// Calls visit(row) for each sphere in the cells that a box of `reach` about p meets: to leave
+    /// out cells at its corners takes longer than to look at them. `reach` is meant for the largest
+    /// spheres, whose radius is 1: of a smaller one the centre is looked for as much nearer as its
+    /// radius is smaller.
     template <class Visit>
     void forEachNear(const Eigen::Vector3d& p, double reach, Visit&& visit) const
     {
@@ -193,28 +194,10 @@ private:
     void forEachNearIn(const Level& level, const Eigen::Vector3d& p, double reach,
                        Visit& visit) const
     {
-        if (level.extent.squaredExteriorDistance(p) > reach * reach)
+        if (level.extent.squaredExteriorDistance(p) <= reach * reach) // a fall begins far above
         {
-            return; // a fall begins far above all that is at rest
-        }
-        const GridFrame& frame = level.frame;
-        const auto low = frame.coordinates(p.array() - reach);
-        const auto high = frame.coordinates(p.array() + reach);
-        const double toFirst = frame.squareToLayer(p, 0, low[0]);
-        const double toLast = frame.squareToLayer(p, 0, high[0]);
-        for (int z = low[2]; z <= high[2]; ++z)
-        {
-            const double leftOfZ = reach * reach - frame.squareToLayer(p, 2, z);
-            for (int y = low[1]; y <= high[1]; ++y)
-            {
-                const double left = leftOfZ - frame.squareToLayer(p, 1, y);
-                if (left >= 0)
-                {
-                    level.cells.forEachInRow(low[0] + (toFirst > left ? 1 : 0),
-                                             high[0] - (toLast > left ? 1 : 0), y, z,
-                                             listOf(level, visit));
-                }
-            }
+            level.cells.forEachIn(level.frame.coordinates(p.array() - reach),
+                                  level.frame.coordinates(p.array() + reach), listOf(level, visit));
         }
     }
     /// Calls visit(row) for each sphere of a cell.
