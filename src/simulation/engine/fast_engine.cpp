@@ -50,6 +50,13 @@ double releaseBand(const World& world)
     return world.scene.motion.mode == Motion::fall ? kTopBand : world.height;
 }
 
+// Where small spheres make steps shorter, the gap up to which two are a pair is as much smaller.
+double pairMargin(const World& world)
+{
+    return world.radii.curve() ? kPairMargin * std::min(1.0, timeStep(world) / kLongestOfMargin)
+                               : kPairMargin;
+}
+
 int sweeps(const World& world)
 {
     const int asked = world.scene.motion.sweeps;
@@ -69,8 +76,7 @@ FastEngine::FastEngine(World& world)
               {.restitution = {world.scene.motion.restitution},
                .sweeps = sweeps(world),
                .stiff = !sets_.keepsSets(),
-               .usualRadius = world.radii.curve() ? usualRadius(world) : 1,
-               .dt = timeStep(world)}),
+               .pairMargin = pairMargin(world)}),
       freezer_(world, grid_, release_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
 {
     if (world.spheres.size() == 0 && !release_->any())
@@ -197,15 +203,10 @@ void FastEngine::advance()
 // Then those that met are taken apart.
 void FastEngine::solve()
 {
-    observed_.resize(running_.size());
     {
-        double& total = world_.counts.times[Stage::sphereSphere];
-        const double before = total;
-        {
-            const StageTimer timer(world_.counts.times, Stage::sphereSphere);
-            solver_.resolve(world_.clock.dt, [this](std::uint32_t row) { observe(row); });
-        }
-        sets_.record().observe(1e3 * (total - before), 0); // walls are met in flight
+        const StageTimer timer(world_.counts.times, Stage::sphereSphere);
+        solver_.resolve(world_.clock.dt);
+        sets_.record().observe(1e3 * timer.seconds(), 0); // walls are met in flight
     }
     countTests();
     observeEnergy();
@@ -247,19 +248,14 @@ void FastEngine::finish()
     sets_.record().close(world_);
 }
 
-void FastEngine::observe(std::uint32_t row)
-{
-    observed_[row] = {flight_.around(row).spheres().size(), flight_.around(row).trianglesTested(),
-                      energyOf(running_, row, world_.frame.gravity)};
-}
-
 void FastEngine::countTests()
 {
     std::uint64_t pairs = 0;
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
-        world_.counts.operations.runningFrozenTests += observed_[row].spheres;
-        world_.counts.operations.spherePolygonTests += observed_[row].triangles;
+        const NeighbourList& around = flight_.around(row);
+        world_.counts.operations.runningFrozenTests += around.spheres().size();
+        world_.counts.operations.spherePolygonTests += around.trianglesTested();
         pairs += solver_.pairs().nearby(row).size();
     }
     world_.counts.operations.runningRunningTests += pairs / 2;
@@ -273,12 +269,11 @@ void FastEngine::observeEnergy()
         return;
     }
     double mass = 0;
-    double after = 0;
-    for (std::uint32_t row = 0; row < running_.size(); ++row)
+    for (const double radius : running_.radius.all())
     {
-        mass += massOf(running_.radius[row]);
-        after += observed_[row].energy;
+        mass += massOf(radius);
     }
+    const double after = energyOf(running_, world_.frame.gravity);
     world_.counts.energy.enter(*energy_, after, mass * world_.height);
     energy_ = after;
 }

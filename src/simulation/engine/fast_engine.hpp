@@ -37,7 +37,6 @@ private:
     void finish();
 
     [[nodiscard]] std::size_t release(std::size_t wanted);
-    void observe(std::uint32_t row);
     void countTests();
     void observeEnergy();
 
@@ -52,14 +51,6 @@ private:
     PositionSolver solver_;
     Freezer freezer_;
     Waker waker_;
-    /// What is observed of a runner in a step, by row, before anything else is done about it.
-    struct Observed
-    {
-        std::size_t spheres;   ///< tested
-        std::size_t triangles; ///< tested
-        double energy;
-    };
-    std::vector<Observed> observed_;
     std::optional<double> energy_; ///< of the runners, while they are as the last step left them
     std::uint32_t windowSteps_ = 1;
     std::uint32_t stepsInWindow_ = 0;

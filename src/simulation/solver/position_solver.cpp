@@ -10,23 +10,11 @@
 namespace frostfill
 {
 
-void PositionSolver::resolve(double dt, const Observe& observe)
+void PositionSolver::resolve(double dt)
 {
     down_ = flight_.down();
-    pairs_.findPairs(
-        [&](std::uint32_t row)
-        {
-            if (!pairs_.isPaired(row))
-            {
-                observe(row);
-            }
-        });
+    pairs_.findPairs();
     crowd_.gather(down_);
-    resolveCrowd(dt, observe);
-}
-
-void PositionSolver::resolveCrowd(double dt, const Observe& observe)
-{
     flown_.resize(crowd_.size());
     crowd_.forEachMember(
         [this](std::uint32_t slot) {
@@ -36,12 +24,7 @@ void PositionSolver::resolveCrowd(double dt, const Observe& observe)
     const int mutual = settings_.stiff ? settings_.sweeps / 4 : settings_.sweeps * 3 / 4;
     sweep({settings_.sweeps, settings_.tolerance, kDeep,
            [mutual](int sweep) { return sweep <= mutual; }});
-    crowd_.forEachMember(
-        [&](std::uint32_t slot)
-        {
-            removeLiftEnergy(slot);
-            observe(crowd_.row(slot));
-        });
+    crowd_.forEachMember([this](std::uint32_t slot) { removeLiftEnergy(slot); });
 }
 
 void PositionSolver::separate()
@@ -63,7 +46,6 @@ void PositionSolver::separate(std::span<const std::uint32_t> some)
 
 double PositionSolver::sweep(const Sweeps& sweeps)
 {
-    clear_.assign(crowd_.size(), 0);
     double deepest = sweeps.tolerance;
     for (int k = 0; k < sweeps.most && deepest >= sweeps.tolerance; ++k)
     {
@@ -88,33 +70,22 @@ double PositionSolver::sweepSlab(const Crowd::Slab& slab, double yieldShare, dou
     double deepest = 0;
     for (std::uint32_t slot = slab.begin; slot < slab.end; ++slot)
     {
-        if (clear_[slot] != 0)
+        const Eigen::Vector3d push = pushOff(slot, yieldShare, liftDepth, deepest);
+        if (!push.isZero(0))
         {
-            continue;
-        }
-        const auto push = pushOff(slot, yieldShare, liftDepth, deepest);
-        clear_[slot] = push ? 0 : 1;
-        if (push && !push->isZero(0))
-        {
-            flight_.shift(crowd_.row(slot), *push);
+            flight_.shift(crowd_.row(slot), push);
             crowd_.follow(slot);
-            for (const Crowd::Near& near : crowd_.near(slot))
-            {
-                clear_[near.slot] = 0;
-            }
         }
     }
     return deepest;
 }
 
-std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, double yieldShare,
-                                                       double liftDepth, double& deepest) const
+Eigen::Vector3d PositionSolver::pushOff(std::uint32_t slot, double yieldShare, double liftDepth,
+                                        double& deepest) const
 {
     const double radius = crowd_[slot].radius;
     const Eigen::Vector3d before = crowd_[slot].position();
     Eigen::Vector3d place = before;
-    double deepestHere = deepest;
-    bool touches = false;
     for (const Crowd::Near& near : crowd_.near(slot))
     {
         const Ball& other = crowd_[near.slot];
@@ -125,10 +96,9 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, doubl
         {
             continue;
         }
-        touches = true;
         const Contact contact = contactOfSpheres(way, squared, reach);
         const double depth = contact.depth;
-        deepestHere = std::max(deepestHere, depth);
+        deepest = std::max(deepest, depth);
         const bool takesRest =
             near.isLower != 0 && (velocitySolver_.yields(crowd_.row(slot)) ||
                                   !velocitySolver_.yields(crowd_.row(near.slot)));
@@ -146,11 +116,6 @@ std::optional<Eigen::Vector3d> PositionSolver::pushOff(std::uint32_t slot, doubl
         }
         place += away * (share * depth);
     }
-    if (!touches)
-    {
-        return std::nullopt;
-    }
-    deepest = deepestHere;
     const Eigen::Vector3d push = place - before;
     const double length = push.norm();
     const double longest = kLongestPush * radius;

@@ -7,7 +7,6 @@
 #include "simulation/solver/velocity_solver.hpp"
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,20 +20,14 @@ class PositionSolver
 public:
     PositionSolver(RunningSpheres& running, FreeFlight& flight, Threads& threads,
                    const SolverSettings& settings)
-        : running_(running), pairs_(running, threads), flight_(flight), settings_(settings),
-          crowd_(running, pairs_, threads), velocitySolver_(running, flight, crowd_, settings)
+        : running_(running), pairs_(running, threads, settings.pairMargin), flight_(flight),
+          settings_(settings), crowd_(running, pairs_, threads),
+          velocitySolver_(running, flight, crowd_, settings)
     {
-        if (settings.usualRadius < 1)
-        {
-            pairs_.expectSizes(settings.usualRadius, settings.dt);
-        }
     }
 
-    /// Separates the runners and makes their velocities agree with it. Calls observe(row) for each
-    /// runner once it is where it stays, on any thread.
-    using Observe = std::function<void(std::uint32_t row)>;
-    void resolve(
-        double dt, const Observe& observe = [](std::uint32_t) {});
+    /// Separates the runners and makes their velocities agree with it.
+    void resolve(double dt);
 
     /// Takes runners that overlap apart, without giving them any speed.
     void separate();
@@ -54,14 +47,13 @@ private:
         /// Whether in a sweep, counted from 0, one gives way to those above it by its share.
         std::function<bool(int sweep)> isMutual;
     };
-    void resolveCrowd(double dt, const Observe& observe);
     /// Returns the deepest penetration that the last sweep has found. [r]
     double sweep(const Sweeps& sweeps);
     double sweepOnce(double yieldShare, double liftDepth);
     double sweepSlab(const Crowd::Slab& slab, double yieldShare, double liftDepth);
-    /// `deepest` starts at that of the members before. Returns no push for who touches no other.
-    [[nodiscard]] std::optional<Eigen::Vector3d> pushOff(std::uint32_t slot, double yieldShare,
-                                                         double liftDepth, double& deepest) const;
+    /// `deepest` starts at that of the members before.
+    [[nodiscard]] Eigen::Vector3d pushOff(std::uint32_t slot, double yieldShare, double liftDepth,
+                                          double& deepest) const;
     void removeLiftEnergy(std::uint32_t slot);
 
     RunningSpheres& running_;
@@ -78,9 +70,6 @@ private:
         Eigen::Vector3d velocity; ///< at its end
     };
     std::vector<Flown> flown_;
-    /// Whether it touched none of those near it, none of which has been pushed since: it need not
-    /// be looked at.
-    std::vector<char> clear_;
     std::vector<double> deepest_; ///< by slab: penetration that its last sweep has found
 };
 

@@ -19,13 +19,7 @@ inline constexpr double kPairMargin = 0.3;
 inline constexpr double kLongestOfMargin = 0.33;
 /// Runners up to which all pairs are looked at, which is faster than cells for so few.
 inline constexpr std::size_t kFewRunners = 64;
-/// Cells for each runner at most. Larger: time for empty cells. Smaller: more runners to look at.
-inline constexpr double kCellsForRunner = 2;
-/// The same where sizes differ: small runners look at few cells.
-inline constexpr double kCellsForSmallRunner = 16;
-/// By how much cells grow until there are few enough. Larger: fewer and fuller ones than need be.
-inline constexpr double kCoarser = 1.25;
-/// So much larger are cells than what pairs need, so that no rounding puts a pair into cells that
+/// So much larger are slabs than what pairs need, so that no rounding puts a pair into slabs that
 /// are no neighbours. [1]
 inline constexpr double kBeyondRounding = 1 + 1e-9;
 

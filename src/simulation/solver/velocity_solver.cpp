@@ -24,8 +24,7 @@ void VelocitySolver::stopAtRest(std::uint32_t slot)
     }
 }
 
-double VelocitySolver::shareOfUnlike(std::uint32_t a, std::uint32_t b,
-                                     const Eigen::Vector3d& down) const
+double VelocitySolver::shareOf(std::uint32_t a, std::uint32_t b, const Eigen::Vector3d& down) const
 {
     const bool yields = this->yields(crowd_.row(a));
     if (yields != this->yields(crowd_.row(b)))

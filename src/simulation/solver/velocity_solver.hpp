@@ -21,9 +21,8 @@ struct SolverSettings
     /// Piles come to rest fast, as if what lies below could not give way; otherwise slowly, and
     /// more densely.
     bool stiff = true;
-    double tolerance = 1e-3; ///< penetration depth at which the sweeps end early [r]
-    double usualRadius = 1;  ///< below 1 where sizes differ; see BroadPhase::expectSizes
-    double dt = 0;           ///< then the length of a step [sqrt(r/g)]
+    double tolerance = 1e-3;         ///< penetration depth at which the sweeps end early [r]
+    double pairMargin = kPairMargin; ///< see BroadPhase
 };
 
 /// Velocities of runners that collide. Pairs that are in contact, or that would be within a step
@@ -51,14 +50,7 @@ public:
     /// How much of what parts two of the crowd, given by slot, is a's to do. Of two that do not
     /// give way, the lower does it.
     [[nodiscard]] double shareOf(std::uint32_t a, std::uint32_t b,
-                                 const Eigen::Vector3d& down) const
-    {
-        if (crowd_[a].radius == crowd_[b].radius && yields(crowd_.row(a)) && yields(crowd_.row(b)))
-        {
-            return 0.5;
-        }
-        return shareOfUnlike(a, b, down);
-    }
+                                 const Eigen::Vector3d& down) const;
 
 private:
     struct ContactPair
@@ -86,8 +78,6 @@ private:
     void collide(std::uint32_t upper, const ContactPair& contact);
     void stopOnLower(std::uint32_t upper, std::span<const ContactPair> contacts);
     void stopAtRest(std::uint32_t slot);
-    [[nodiscard]] double shareOfUnlike(std::uint32_t a, std::uint32_t b,
-                                       const Eigen::Vector3d& down) const;
 
     RunningSpheres& running_;
     FreeFlight& flight_;
