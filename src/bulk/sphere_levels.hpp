@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,7 +37,7 @@ public:
         std::vector<std::uint32_t> ids; ///< of each in the lists
 
         /// Calls visit(first, end) for ranges of spheres that include all whose centre is within
-        /// `reach` of p. Few lie elsewhere.
+        /// `reach` of p along each axis.
         template <class Visit>
         void forEachRange(const Eigen::Vector3d& p, double reach, Visit&& visit) const
         {
@@ -47,17 +46,10 @@ public:
             const auto high = frame.coordinates(p.array() + far);
             for (int z = low[2]; z <= high[2]; ++z)
             {
-                const double away = far * far - frame.squareToLayer(p, 2, z);
                 for (int y = low[1]; y <= high[1]; ++y)
                 {
-                    const double square = away - frame.squareToLayer(p, 1, y);
-                    if (square >= 0)
-                    {
-                        const double along = std::sqrt(square);
-                        const std::size_t row = frame.index(0, y, z);
-                        visit(starts[row + frame.coordinate(p.x() - along, 0)],
-                              starts[row + frame.coordinate(p.x() + along, 0) + 1]);
-                    }
+                    visit(starts[frame.index(low[0], y, z)],
+                          starts[frame.index(high[0], y, z) + 1]);
                 }
             }
         }

@@ -89,17 +89,6 @@ struct GridFrame
         return wholeNumbers((from - first) / cell, (to - first) / cell,
                             count[static_cast<std::size_t>(axis)]);
     }
-    /// Square of the distance from p to the nearest point of a layer of cells. Points outside
-    /// belong to border cells, so layers at the border reach to infinity.
-    [[nodiscard]] double squareToLayer(const Eigen::Vector3d& p, int axis, int layer) const
-    {
-        const double low = origin[axis] + cell * layer;
-        const bool isLast = layer + 1 == count[static_cast<std::size_t>(axis)];
-        const double below = layer > 0 ? low - p[axis] : 0;
-        const double above = isLast ? 0 : p[axis] - (low + cell);
-        const double distance = std::max({0.0, below, above});
-        return distance * distance;
-    }
     [[nodiscard]] Eigen::Vector3d centre(int x, int y, int z) const
     {
         return origin + cell * Eigen::Vector3d(x + 0.5, y + 0.5, z + 0.5);
