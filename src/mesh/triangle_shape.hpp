@@ -56,6 +56,19 @@ inline constexpr double kFlatTriangle = 1e-12;
     return t;
 }
 
+/// Gives each corner of each triangle the vertex numberOf(vertex).
+template <class NumberOf>
+void renumberCorners(TriangleMesh& mesh, NumberOf&& numberOf)
+{
+    for (Triangle& t : mesh.triangles)
+    {
+        for (std::uint32_t& corner : t)
+        {
+            corner = static_cast<std::uint32_t>(numberOf(corner));
+        }
+    }
+}
+
 /// Removes the triangles whose number fulfils a condition. Returns how many.
 template <class IsGone>
 std::size_t eraseTriangles(TriangleMesh& mesh, IsGone&& isGone)

@@ -44,22 +44,27 @@ std::array<Items, 2> halve(Items items)
 
 /// Halves again and again, down to leaves, whose triangles ascend. A million take 20 nested calls,
 /// however they lie.
-void sortAll(Items items, std::size_t leafSize)
+void sortAll(Items items, std::size_t leafSize, Threads& threads)
 {
-    if (items.size() > leafSize)
+    if (items.size() <= leafSize)
     {
-        for (const Items half : halve(items))
-        {
-            sortAll(half, leafSize);
-        }
+        std::sort(items.begin(), items.end(),
+                  [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
         return;
     }
-    std::sort(items.begin(), items.end(),
-              [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
+    const std::array<Items, 2> halves = halve(items);
+    const auto sortHalf = [&](std::size_t k) { sortAll(halves[k], leafSize, threads); };
+    if (items.size() > kSmallPart)
+    {
+        threads.forEachLarge(2, sortHalf);
+        return;
+    }
+    sortHalf(0);
+    sortHalf(1);
 }
 
 /// The triangles of a mesh in the order of a balanced binary tree, whose halves are those of the
-/// numbers: level by level, until there is a part for every thread, and some more.
+/// numbers.
 std::vector<std::uint32_t> orderOf(const TriangleMesh& mesh, std::size_t leafSize, Threads& threads)
 {
     std::vector<Item> items(mesh.triangles.size());
@@ -69,19 +74,7 @@ std::vector<std::uint32_t> orderOf(const TriangleMesh& mesh, std::size_t leafSiz
                         const auto [a, b, c] = cornersOf(mesh, id);
                         items[id] = {(a + b + c) / 3, static_cast<std::uint32_t>(id)};
                     });
-    std::vector<Items> parts = {items};
-    while (parts.size() < 4 * threads.concurrency() && threads.concurrency() > 1 &&
-           parts[0].size() > kSmallPart)
-    {
-        std::vector<std::array<Items, 2>> halves(parts.size());
-        threads.forEachLarge(parts.size(), [&](std::size_t k) { halves[k] = halve(parts[k]); });
-        parts.clear();
-        for (const auto& [lower, upper] : halves)
-        {
-            parts.insert(parts.end(), {lower, upper});
-        }
-    }
-    threads.forEachLarge(parts.size(), [&](std::size_t k) { sortAll(parts[k], leafSize); });
+    sortAll(items, leafSize, threads);
     std::vector<std::uint32_t> order(items.size());
     std::transform(items.begin(), items.end(), order.begin(),
                    [](const Item& item) { return item.triangle; });

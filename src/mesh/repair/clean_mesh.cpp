@@ -69,13 +69,7 @@ bool mergeNeedles(TriangleMesh& mesh)
     {
         return false;
     }
-    for (Triangle& t : mesh.triangles)
-    {
-        for (std::uint32_t& corner : t)
-        {
-            corner = static_cast<std::uint32_t>(same->find(corner));
-        }
-    }
+    renumberCorners(mesh, [&](std::uint32_t corner) { return same->find(corner); });
     return true;
 }
 
@@ -268,13 +262,7 @@ std::size_t dropUnusedVertices(TriangleMesh& mesh)
     }
     const std::size_t gone = mesh.vertices.size() - next;
     mesh.vertices.resize(next);
-    for (Triangle& t : mesh.triangles)
-    {
-        for (std::uint32_t& corner : t)
-        {
-            corner = place[corner];
-        }
-    }
+    renumberCorners(mesh, [&](std::uint32_t corner) { return place[corner]; });
     return gone;
 }
 
