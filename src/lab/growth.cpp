@@ -44,7 +44,7 @@ GrowthPoint meanOf(std::span<const SetRecord> sets, std::size_t present)
 
 /// A step of Algorithm 1 with all spheres of a run, moving with no speed.
 GrowthPoint oneStep(const Simulation& simulation, const FrameOfRun& frame, const Surface& surface,
-                    const PolygonSearchPart& polygons)
+                    PolygonSearchPart& polygons)
 {
     GrowthPoint point;
     point.spheres = simulation.sphereCount();

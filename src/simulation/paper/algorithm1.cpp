@@ -86,10 +86,10 @@ Contact contactFrom(const Eigen::Vector3d& before, const SignedDistance& here,
 
 } // namespace
 
-Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
-                       const Restitution& restitution, SpheresByGrid* search)
+Algorithm1::Algorithm1(Spheres& spheres, const Surface& surface, PolygonSearchPart& polygons,
+                       const Restitution& restitution, bool byGrid)
     : spheres_(spheres), running_(spheres.running()), surface_(surface), polygons_(polygons),
-      restitution_(restitution), search_(search)
+      restitution_(restitution), byGrid_(byGrid)
 {
 }
 
@@ -167,15 +167,41 @@ void Algorithm1::followRest()
     }
 }
 
+void Algorithm1::findNear(std::uint32_t i, std::size_t begin)
+{
+    ids_.clear();
+    spheres_.resting().forEachNear(running_.position[i], running_.radius[i] + kGridReach,
+                                   [&](std::uint32_t id)
+                                   {
+                                       if (id >= begin)
+                                       {
+                                           ids_.push_back(id);
+                                       }
+                                   });
+    std::sort(ids_.begin(), ids_.end());
+    ranges_.clear();
+    for (const std::size_t id : ids_)
+    {
+        if (ranges_.empty() || ranges_.back().end != id)
+        {
+            ranges_.push_back({id, id});
+        }
+        ++ranges_.back().end;
+    }
+}
+
 void Algorithm1::runningFrozen(std::size_t frozenBegin, OperationCounts& counts)
 {
     followRest();
-    const IdRange frozen = {frozenBegin, spheres_.resting().size()};
+    ranges_ = {{frozenBegin, spheres_.resting().size()}};
     for (std::uint32_t i = 0; i < running_.size(); ++i)
     {
         std::uint64_t responses = 0;
-        for (const IdRange& near :
-             search_ ? search_->near(spheres_, i, frozen) : std::span<const IdRange>(&frozen, 1))
+        if (byGrid_)
+        {
+            findNear(i, frozenBegin);
+        }
+        for (const IdRange& near : ranges_)
         {
             counts.runningFrozenTests += near.end - near.begin;
             responses += near.end - near.begin < kBlock
@@ -229,23 +255,33 @@ std::uint64_t Algorithm1::collideWithPolygons(std::uint32_t i, const Eigen::Vect
 {
     Eigen::Vector3d p = running_.position[i];
     const double radius = running_.radius[i];
+    const double reach = kNearby * radius;
     std::uint64_t responses = 0;
     nearby_.clear();
     deepest_ = 0;
-    auto respond = [&](std::uint32_t polygon)
+    const std::span<const std::uint32_t> polygons = polygons_.near(p);
+    counts.spherePolygonTests += polygons.size();
+    for (const std::uint32_t polygon : polygons)
     {
-        if (const auto contact = oneSidedContact(polygon, p, before, radius))
+        const TriangleBound& bound = surface_.bound(polygon);
+        const double plane = bound.toPlane(p);
+        const double centreSquared = bound.toCentreSquared(p);
+        if (plane > reach || !bound.ballIsWithin(reach, centreSquared))
+        {
+            continue;
+        }
+        nearby_.push_back(polygon);
+        const bool mayTouch = plane <= radius && bound.ballIsWithin(radius, centreSquared);
+        if (const auto contact =
+                mayTouch ? oneSidedContact(polygon, p, before, radius) : std::nullopt)
         {
             p += contact->normal * contact->depth;
             reflect(i, contact->normal);
             deepest_ = std::max(deepest_, contact->depth);
             ++responses;
         }
-    };
-    PolygonVisitor visit(surface_, p, radius, nearby_, respond);
-    polygons_.search(p, visit);
+    }
     running_.position[i] = p;
-    counts.spherePolygonTests += visit.tests();
     return responses;
 }
 

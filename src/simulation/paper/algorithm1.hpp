@@ -20,10 +20,11 @@ namespace frostfill
 class Algorithm1
 {
 public:
-    /// With `search`, cycle 2 looks only at the spheres at rest that it finds; without it at all of
-    /// them, as the paper does. Everything but the restitution outlives this.
-    Algorithm1(Spheres& spheres, const Surface& surface, const PolygonSearchPart& polygons,
-               const Restitution& restitution, SpheresByGrid* search = nullptr);
+    /// `byGrid`: cycle 2 looks only at the spheres at rest in the cells near a running one, in the
+    /// order of all pairs, so that the bits are the same; else at all of them, as the paper does.
+    /// Everything but the restitution outlives this.
+    Algorithm1(Spheres& spheres, const Surface& surface, PolygonSearchPart& polygons,
+               const Restitution& restitution, bool byGrid = false);
 
     /// Cycle 1, running with running: both respond.
     void runningRunning(OperationCounts& counts);
@@ -45,6 +46,17 @@ public:
     };
 
 private:
+    /// Spheres at rest from `begin` to before `end`. In the preset paper all come to rest in the
+    /// order of their ids, so that the id of one at rest is also its row.
+    struct IdRange
+    {
+        std::size_t begin = 0;
+        std::size_t end = 0;
+    };
+    /// Finds the spheres at rest from `begin` on near the running row `i`, as ranges in ascending
+    /// order: at least all that it may touch, also after the others have pushed it by up to the
+    /// largest radius.
+    void findNear(std::uint32_t i, std::size_t begin);
     void followRest();
     std::uint64_t respondToFrozen(std::uint32_t i, std::size_t begin, std::size_t end);
     void respond(std::uint32_t i, const Contact& contact);
@@ -64,9 +76,11 @@ private:
     RunningSpheres& running_;
     FourAtOnce frozen_; ///< by row
     const Surface& surface_;
-    const PolygonSearchPart& polygons_;
+    PolygonSearchPart& polygons_;
     Restitution restitution_;
-    SpheresByGrid* search_;
+    bool byGrid_;
+    std::vector<std::uint32_t> ids_; ///< scratch
+    std::vector<IdRange> ranges_;    ///< of spheres at rest that the sphere in hand is tested with
     std::vector<bool> touched_;
     std::vector<std::uint32_t> nearby_; ///< polygons near the sphere in hand
     double deepest_ = 0;                ///< deepest push off a polygon of the sphere in hand

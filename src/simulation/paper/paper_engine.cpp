@@ -150,23 +150,16 @@ RestMonitor restMonitor(const World& world)
 
 PaperEngine::PaperEngine(World& world)
     : world_(world), running_(world.spheres.running()),
-      spheres_(world.scene.search.spheres == SphereSearch::grid
-                   ? std::optional<SpheresByGrid>(world.spheres.resting())
-                   : std::nullopt),
       polygons_(makePolygonSearch(world.scene.search.polygons, {world.surface, world.polygons,
                                                                 &world.triangles, kQuarterReach})),
       algorithm1_(world.spheres, world.surface, *polygons_,
                   {world.scene.motion.restitution,
                    kBounceSteps * world.frame.gravity * chooseTimeStep(world)},
-                  spheres_ ? &*spheres_ : nullptr),
+                  world.scene.search.spheres == SphereSearch::grid),
       release_(makeRelease(world, kTopBand, threads_)), rest_(restMonitor(world)),
       setTimeLimit_(world.scene.freezing.setTimeLimit + 2 * fallTime(world.height))
 {
     world.clock.dt = chooseTimeStep(world);
-    if (!release_->any())
-    {
-        refuseTooLarge(world);
-    }
 }
 
 bool PaperEngine::step()

@@ -8,7 +8,6 @@
 #include "simulation/world/world.hpp"
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 namespace frostfill
@@ -91,7 +90,6 @@ private:
 
     World& world_;
     RunningSpheres& running_;
-    std::optional<SpheresByGrid> spheres_; ///< none: all pairs
     std::unique_ptr<PolygonSearchPart> polygons_;
     Algorithm1 algorithm1_;
     Threads threads_{1};

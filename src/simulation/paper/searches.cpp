@@ -5,60 +5,36 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
-#include <vector>
+#include <numeric>
 
 namespace frostfill
 {
 
-std::span<const IdRange> SpheresByGrid::near(const Spheres& spheres, std::uint32_t i,
-                                             IdRange frozen)
-{
-    ids_.clear();
-    const RunningSpheres& running = spheres.running();
-    resting_.forEachNear(running.position[i], running.radius[i] + kGridReach,
-                         [&](std::uint32_t id)
-                         {
-                             if (id >= frozen.begin)
-                             {
-                                 ids_.push_back(id);
-                             }
-                         });
-    std::sort(ids_.begin(), ids_.end());
-    ranges_.clear();
-    for (const std::size_t id : ids_)
-    {
-        if (ranges_.empty() || ranges_.back().end != id)
-        {
-            ranges_.push_back({id, id});
-        }
-        ++ranges_.back().end;
-    }
-    return ranges_;
-}
-
 namespace
 {
+
+void eraseDiscarded(std::vector<std::uint32_t>& polygons, const std::vector<PolygonState>& states)
+{
+    std::erase_if(polygons, [&](std::uint32_t polygon)
+                  { return states[polygon] == PolygonState::discarded; });
+}
 
 /// PAPER: all that are left, in a loop over all.
 class Loop final : public PolygonSearchPart
 {
 public:
-    explicit Loop(const SearchedPolygons& polygons) : states_(polygons.states) {}
-    void search(const Eigen::Vector3d&, PolygonVisitor& visit) const override
+    explicit Loop(const SearchedPolygons& polygons)
+        : states_(polygons.states), left_(polygons.states.size())
     {
-        const std::span<const PolygonState> states = states_;
-        for (std::uint32_t polygon = 0; polygon < states.size(); ++polygon)
-        {
-            if (states[polygon] == PolygonState::active)
-            {
-                visit(polygon);
-            }
-        }
+        std::iota(left_.begin(), left_.end(), std::uint32_t{0});
+        eraseDiscarded(left_, states_);
     }
+    std::span<const std::uint32_t> near(const Eigen::Vector3d&) override { return left_; }
+    void update() override { eraseDiscarded(left_, states_); }
 
 private:
     const std::vector<PolygonState>& states_;
+    std::vector<std::uint32_t> left_;
 };
 
 /// PAPER: all that are left, in a singly linked list from which discarded ones are unlinked (step
@@ -66,7 +42,8 @@ private:
 class List final : public PolygonSearchPart
 {
 public:
-    explicit List(const SearchedPolygons& polygons) : states_(polygons.states)
+    explicit List(const SearchedPolygons& polygons)
+        : states_(polygons.states), left_(polygons.states.size())
     {
         // Appended in ascending order and read in ascending order, like the plain loop.
         for (std::uint32_t polygon = 0; polygon < polygons.surface.size(); ++polygon)
@@ -79,12 +56,14 @@ public:
             nodes_.back().next = kEnd;
         }
     }
-    void search(const Eigen::Vector3d&, PolygonVisitor& visit) const override
+    std::span<const std::uint32_t> near(const Eigen::Vector3d&) override
     {
+        std::size_t count = 0;
         for (std::uint32_t node = head_; node != kEnd; node = nodes_[node].next)
         {
-            visit(nodes_[node].polygon);
+            left_[count++] = nodes_[node].polygon;
         }
+        return std::span(left_).first(count);
     }
     void update() override
     {
@@ -113,6 +92,7 @@ private:
     const std::vector<PolygonState>& states_;
     std::vector<Node> nodes_;
     std::uint32_t head_ = kEnd;
+    std::vector<std::uint32_t> left_; ///< as read from the list last
 };
 
 /// PAPER, "Quad Tree": those of the quarter of the mesh that the sphere is in.
@@ -136,16 +116,15 @@ public:
             sortIn(polygon, box, polygons.reach);
         }
     }
-    void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const override
+    std::span<const std::uint32_t> near(const Eigen::Vector3d& p) override
     {
-        visit(quarters_[quarter(p)]);
+        return quarters_[quarter(p)];
     }
     void update() override
     {
         for (std::vector<std::uint32_t>& quarter : quarters_)
         {
-            std::erase_if(quarter, [this](std::uint32_t polygon)
-                          { return states_[polygon] == PolygonState::discarded; });
+            eraseDiscarded(quarter, states_);
         }
     }
 
@@ -188,47 +167,23 @@ public:
     explicit PolygonsByGrid(const SearchedPolygons& polygons)
         : states_(polygons.states), grid_(*polygons.grid)
     {
-        update();
     }
-    void search(const Eigen::Vector3d& p, PolygonVisitor& visit) const override
+    std::span<const std::uint32_t> near(const Eigen::Vector3d& p) override
     {
-        std::vector<std::uint32_t> found;
-        const std::span<const std::uint32_t> near = grid_.near(p, grid_.reach(), found);
-        if (allActive_)
-        {
-            visit(near);
-            return;
-        }
-        for (const std::uint32_t polygon : near)
-        {
-            if (states_[polygon] == PolygonState::active)
-            {
-                visit(polygon);
-            }
-        }
-    }
-    void update() override
-    {
-        const auto isActive = [](PolygonState state) { return state == PolygonState::active; };
-        allActive_ = std::all_of(states_.begin(), states_.end(), isActive);
+        const std::span<const std::uint32_t> all = grid_.near(p, grid_.reach(), found_);
+        active_.assign(all.begin(), all.end());
+        eraseDiscarded(active_, states_);
+        return active_;
     }
 
 private:
     const std::vector<PolygonState>& states_;
     const TriangleGrid& grid_;
-    bool allActive_ = true;
+    std::vector<std::uint32_t> found_;
+    std::vector<std::uint32_t> active_;
 };
 
 } // namespace
-
-void PolygonVisitor::meet(std::uint32_t polygon, bool mayTouch)
-{
-    nearby_.push_back(polygon);
-    if (mayTouch)
-    {
-        call_(respond_, polygon);
-    }
-}
 
 std::unique_ptr<PolygonSearchPart> makePolygonSearch(PolygonSearch search,
                                                      const SearchedPolygons& polygons)

@@ -146,6 +146,7 @@ TEST_F(Algorithm1Test, CoincidentSpheresAreSeparated)
 TEST_F(Algorithm1Test, DiscardedPolygonsAreNotTested)
 {
     polygons.assign(48, PolygonState::discarded);
+    search->update();
     const auto id = add({3, -9.5, 2}, {0, -1, 0});
     runAll();
     EXPECT_EQ(counts.spherePolygonTests, 0u);
