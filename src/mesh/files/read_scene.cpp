@@ -209,74 +209,55 @@ Eigen::Matrix4d toEigen(const aiMatrix4x4& m)
     return result;
 }
 
-/// Collects the meshes of a scene: one transformed copy for each placement.
-class Collector
+void addPlaced(TriangleMesh& mesh, const aiMesh& part, const Eigen::Matrix4d& placed)
 {
-public:
-    explicit Collector(const aiScene& scene) : scene_(scene) {}
-
-    /// In the order of the file, a node before its children. Without recursion: a file may nest as
-    /// deep as it likes.
-    void addNodes()
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (unsigned i = 0; i < part.mNumVertices; ++i)
     {
-        std::vector<Placed> waiting = {{scene_.mRootNode, Eigen::Matrix4d::Identity()}};
-        while (!waiting.empty())
+        const aiVector3D& v = part.mVertices[i];
+        mesh.vertices.push_back((placed * Eigen::Vector4d(v.x, v.y, v.z, 1)).head<3>());
+    }
+    const bool mirrored = placed.topLeftCorner<3, 3>().determinant() < 0;
+    for (unsigned i = 0; i < part.mNumFaces; ++i)
+    {
+        const aiFace& face = part.mFaces[i];
+        if (face.mNumIndices == 3) // else points and lines
         {
-            const auto [node, parent] = waiting.back();
-            waiting.pop_back();
-            const Eigen::Matrix4d placed = parent * toEigen(node->mTransformation);
-            for (unsigned i = 0; i < node->mNumMeshes; ++i)
-            {
-                addMesh(*scene_.mMeshes[node->mMeshes[i]], placed);
-            }
-            for (unsigned i = node->mNumChildren; i-- > 0;)
-            {
-                waiting.push_back({node->mChildren[i], placed});
-            }
+            const std::uint32_t a = first + face.mIndices[0];
+            const std::uint32_t b = first + face.mIndices[mirrored ? 2 : 1];
+            const std::uint32_t c = first + face.mIndices[mirrored ? 1 : 2];
+            mesh.triangles.push_back({a, b, c});
         }
     }
+}
 
-    TriangleMesh take() { return std::move(mesh_); }
-
-private:
+/// The meshes of a scene, a transformed copy for each placement, in the order of the file: a node
+/// before its children. Without recursion: a file may nest as deep as it likes.
+TriangleMesh placedMeshes(const aiScene& scene)
+{
     struct Placed
     {
         const aiNode* node;
         Eigen::Matrix4d parent;
     };
-
-    void addMesh(const aiMesh& part, const Eigen::Matrix4d& placed)
+    TriangleMesh mesh;
+    std::vector<Placed> waiting = {{scene.mRootNode, Eigen::Matrix4d::Identity()}};
+    while (!waiting.empty())
     {
-        const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-        for (unsigned i = 0; i < part.mNumVertices; ++i)
+        const auto [node, parent] = waiting.back();
+        waiting.pop_back();
+        const Eigen::Matrix4d placed = parent * toEigen(node->mTransformation);
+        for (unsigned i = 0; i < node->mNumMeshes; ++i)
         {
-            const aiVector3D& v = part.mVertices[i];
-            mesh_.vertices.push_back((placed * Eigen::Vector4d(v.x, v.y, v.z, 1)).head<3>());
+            addPlaced(mesh, *scene.mMeshes[node->mMeshes[i]], placed);
         }
-        const bool mirrored = placed.topLeftCorner<3, 3>().determinant() < 0;
-        for (unsigned i = 0; i < part.mNumFaces; ++i)
+        for (unsigned i = node->mNumChildren; i-- > 0;)
         {
-            const aiFace& face = part.mFaces[i];
-            if (face.mNumIndices != 3)
-            { // points and lines
-                continue;
-            }
-            std::array<std::uint32_t, 3> triangle;
-            for (unsigned corner = 0; corner < 3; ++corner)
-            {
-                triangle[corner] = first + face.mIndices[corner];
-            }
-            if (mirrored)
-            {
-                std::swap(triangle[1], triangle[2]);
-            }
-            mesh_.triangles.push_back(triangle);
+            waiting.push_back({node->mChildren[i], placed});
         }
     }
-
-    const aiScene& scene_;
-    TriangleMesh mesh_;
-};
+    return mesh;
+}
 
 } // namespace
 
@@ -307,9 +288,7 @@ TriangleMesh readScene(const std::filesystem::path& file, std::string_view bytes
     {
         throw Unreadable(importer.GetErrorString());
     }
-    Collector collector(*scene);
-    collector.addNodes();
-    TriangleMesh mesh = collector.take();
+    TriangleMesh mesh = placedMeshes(*scene);
     if (mesh.triangles.empty())
     {
         throw Unreadable("it holds no triangles, so there is nothing to fill; export the surface");

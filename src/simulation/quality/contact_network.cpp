@@ -121,52 +121,37 @@ namespace
 
 constexpr std::size_t kLookedAtTogether = 1024; // spheres that one thread looks at in one go
 
-/// The contacts of some spheres, those of two once.
-class NetworkPart
+using Contacts = std::vector<ContactNetwork::Contact>;
+
+/// With spheres of lower rows, so that those of two are added once.
+void addSpheresBeside(const SphereGrid& resting, std::uint32_t row, Contacts& contacts)
 {
-public:
-    void look(const World& world, std::uint32_t begin, std::uint32_t end)
-    {
-        for (std::uint32_t row = begin; row < end; ++row)
-        {
-            meetSpheres(world.spheres.resting(), row);
-            meetWalls(world, row);
-        }
-    }
-    [[nodiscard]] const std::vector<ContactNetwork::Contact>& contacts() const { return contacts_; }
-
-private:
-    void meetSpheres(const SphereGrid& resting, std::uint32_t row)
-    {
-        const double radius = resting[row].radius;
-        forEachSphereBeside(resting, resting.id(row), resting[row].position(), radius,
-                            [&](std::uint32_t other, const Eigen::Vector3d& apart, double depth)
+    const double radius = resting[row].radius;
+    forEachSphereBeside(resting, resting.id(row), resting[row].position(), radius,
+                        [&](std::uint32_t other, const Eigen::Vector3d& apart, double depth)
+                        {
+                            const double gap =
+                                kContactGap * std::min(radius, resting[other].radius);
+                            if (other < row && depth > -gap && !apart.isZero(0))
                             {
-                                const double gap =
-                                    kContactGap * std::min(radius, resting[other].radius);
-                                if (other < row && depth > -gap && !apart.isZero(0))
-                                {
-                                    contacts_.push_back({apart.normalized(), row, other});
-                                }
-                            });
-    }
-    void meetWalls(const World& world, std::uint32_t row)
-    {
-        const Ball& ball = world.spheres.resting()[row];
-        normals_.clear();
-        forEachTriangleBeside(world, ball.position(), ball.radius, nearby_,
-                              [&](std::uint32_t, const Eigen::Vector3d& away, double distance)
-                              { addNormal(normals_, away, distance); });
-        for (const Eigen::Vector3d& normal : normals_)
-        {
-            contacts_.push_back({normal, row, ContactNetwork::kWall});
-        }
-    }
+                                contacts.push_back({apart.normalized(), row, other});
+                            }
+                        });
+}
 
-    std::vector<ContactNetwork::Contact> contacts_;
-    std::vector<Eigen::Vector3d> normals_;
-    std::vector<std::uint32_t> nearby_;
-};
+void addWallsBeside(const World& world, std::uint32_t row, Contacts& contacts)
+{
+    const Ball& ball = world.spheres.resting()[row];
+    std::vector<Eigen::Vector3d> normals;
+    std::vector<std::uint32_t> nearby;
+    forEachTriangleBeside(world, ball.position(), ball.radius, nearby,
+                          [&](std::uint32_t, const Eigen::Vector3d& away, double distance)
+                          { addNormal(normals, away, distance); });
+    for (const Eigen::Vector3d& normal : normals)
+    {
+        contacts.push_back({normal, row, ContactNetwork::kWall});
+    }
+}
 
 } // namespace
 
@@ -177,22 +162,21 @@ ContactNetwork networkAtRest(const World& world, Threads& threads)
     ContactNetwork network;
     network.rollingFriction = rollingFrictionOf(world.scene);
     network.bodies.resize(count);
-    std::vector<NetworkPart> parts(count / kLookedAtTogether + 1);
+    std::vector<Contacts> parts(count / kLookedAtTogether + 1);
     forEachPart(threads, count, kLookedAtTogether,
                 [&](std::size_t first, std::size_t last, std::size_t part)
                 {
-                    for (std::size_t row = first; row < last; ++row)
+                    for (auto row = static_cast<std::uint32_t>(first); row < last; ++row)
                     {
-                        const Ball& ball = resting[static_cast<std::uint32_t>(row)];
+                        const Ball& ball = resting[row];
                         network.bodies[row] = {world.pull.direction(ball.position()), ball.radius};
+                        addSpheresBeside(resting, row, parts[part]);
+                        addWallsBeside(world, row, parts[part]);
                     }
-                    parts[part].look(world, static_cast<std::uint32_t>(first),
-                                     static_cast<std::uint32_t>(last));
                 });
-    for (const NetworkPart& part : parts)
+    for (const Contacts& part : parts)
     {
-        network.contacts.insert(network.contacts.end(), part.contacts().begin(),
-                                part.contacts().end());
+        network.contacts.insert(network.contacts.end(), part.begin(), part.end());
     }
     return network;
 }
