@@ -79,10 +79,6 @@ FastEngine::FastEngine(World& world)
                .pairMargin = pairMargin(world)}),
       freezer_(world, grid_, release_, flight_, solver_, threads_, ageLimit(world)), waker_(world)
 {
-    if (world.spheres.size() == 0 && !release_->any())
-    {
-        refuseTooLarge(world);
-    }
     world.clock.dt = timeStep(world);
     windowSteps_ = std::max(1u, static_cast<std::uint32_t>(std::lround(kWindow / world.clock.dt)));
 }

@@ -24,10 +24,6 @@ GranularEngine::GranularEngine(World& world)
       release_(makeRelease(world, kTopBand, threads_)), settling_(world, threads_),
       groupSize_(groupSize(world)), drag_(dragOfPour(world.scene.rest))
 {
-    if (!release_->any())
-    {
-        refuseTooLarge(world);
-    }
     world.clock.dt = kTimeOfPour;
 }
 

@@ -81,7 +81,8 @@ public:
 
 /// The one that the world's scene asks for: its inlets, if there are some. `band`: how far below
 /// the highest ceiling spheres may appear while there is room at it [r]; negative: anywhere, from
-/// the start. World and threads outlive the part.
+/// the start. World and threads outlive the part. Throws as refuseTooLarge does if no sphere fits
+/// into an empty object.
 [[nodiscard]] std::unique_ptr<ReleasePart> makeRelease(const World& world, double band,
                                                        Threads& threads);
 

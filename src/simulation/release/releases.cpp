@@ -312,15 +312,24 @@ double GapReleases::radiusOfDraw(std::uint64_t number) const
 
 std::unique_ptr<ReleasePart> makeRelease(const World& world, double band, Threads& threads)
 {
+    std::unique_ptr<ReleasePart> release;
     if (!world.scene.spheres.inlets.empty())
     {
-        return std::make_unique<Inlets>(world);
+        release = std::make_unique<Inlets>(world);
     }
-    if (world.scene.spheres.sizes.fillGaps)
+    else if (world.scene.spheres.sizes.fillGaps)
     {
-        return std::make_unique<GapReleases>(world, band, threads);
+        release = std::make_unique<GapReleases>(world, band, threads);
     }
-    return std::make_unique<Releases>(world, band, threads);
+    else
+    {
+        release = std::make_unique<Releases>(world, band, threads);
+    }
+    if (world.spheres.size() == 0 && !release->any())
+    {
+        refuseTooLarge(world);
+    }
+    return release;
 }
 
 std::size_t releaseAmong(const RunningSpheres& runners, SphereGrid& grid, std::size_t wanted,

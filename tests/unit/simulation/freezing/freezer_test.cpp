@@ -23,7 +23,7 @@ bool yieldsAfter(double way, double rollingFriction)
     SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {.restitution = {}, .rolling = {0.5, rollingFriction}});
     RunningSpheres& running = world->spheres.running();
-    PositionSolver solver(running, flight, threads, {.restitution = {}, .dt = 0.1});
+    PositionSolver solver(running, flight, threads, {.restitution = {}});
     Freezer freezer(*world, grid, release, flight, solver, threads, 1000);
     world->spheres.add({0, 0, 0}, 1, 0);
     solver.velocities().stopYielding(0);
@@ -51,7 +51,7 @@ TEST(Freezer, TakesTheLowestFirstWhereSomeHeightsAreNoNumbers)
     SphereGrid grid(world->spheres.resting().frame());
     FreeFlight flight(*world, {.restitution = {}});
     RunningSpheres& running = world->spheres.running();
-    PositionSolver solver(running, flight, threads, {.restitution = {}, .dt = 0.1});
+    PositionSolver solver(running, flight, threads, {.restitution = {}});
     constexpr double kAgeLimit = 1;
     Freezer freezer(*world, grid, release, flight, solver, threads, kAgeLimit);
     SetSchedule sets(*world, kAgeLimit);

