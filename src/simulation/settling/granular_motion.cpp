@@ -23,16 +23,7 @@ GranularMotion::GranularMotion(World& world, const ContactLaw& law, Threads& thr
 void GranularMotion::listAnew()
 {
     isListed_ = false;
-    active_.assign(running_.size(), 1);
     isLoose_.assign(running_.size(), 0);
-}
-
-// Lists them at once, or nothing would be woken around those that move.
-void GranularMotion::admit()
-{
-    active_.resize(running_.size(), 1);
-    isLoose_.resize(running_.size(), 0);
-    list();
 }
 
 void GranularMotion::stiffen(double factor)
@@ -57,13 +48,12 @@ void GranularMotion::advance(double time, const Course& course)
     takeSprings(true);
     const std::size_t steps =
         divide(time, kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness));
-    wake();
     for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
     {
         step({dt_, course.hardening, slipsFrom()}, course);
     }
     knowsImpulses_ = true;
-    look(course.hardening > 0);
+    look();
 }
 
 void GranularMotion::advanceByImpulses(double time, const Course& course, bool givesWay)
@@ -71,13 +61,11 @@ void GranularMotion::advanceByImpulses(double time, const Course& course, bool g
     takeSprings(false);
     const double step = didFewMove_ ? kStepOfFew : kStepOfImpulses;
     const std::size_t steps = divide(time, step * std::sqrt(world_.radii.smallest()));
-    active_.assign(running_.size(), 1);
-    wake();
     for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
     {
         stepByImpulses(course, givesWay ? kStiffnessOfImpulses * softest_ : 0);
     }
-    look(!givesWay);
+    look();
 }
 
 void GranularMotion::stepByImpulses(const Course& course, double stiffness)
@@ -88,10 +76,10 @@ void GranularMotion::stepByImpulses(const Course& course, double stiffness)
     }
     plan();
     threads_.forEach(
-        rows_.size(),
+        running_.size(),
         [&](std::size_t k)
         {
-            const std::uint32_t row = rows_[k];
+            const auto row = static_cast<std::uint32_t>(k);
             running_.velocity[row] += dt_ * world_.pull.at(running_.position[row], {0, 0, 0});
         });
     sweeps_.solve({dt_, knowsImpulses_ ? kSweepsOfImpulses : kSweepsAtFirst, stiffness,
@@ -112,7 +100,7 @@ void GranularMotion::plan()
     if (!isPlanned_)
     {
         const auto reaches = reach_.all();
-        sweeps_.plan(active_, 2 * *std::max_element(reaches.begin(), reaches.end()));
+        sweeps_.plan(2 * *std::max_element(reaches.begin(), reaches.end()));
         isPlanned_ = true;
     }
 }
@@ -123,15 +111,6 @@ std::size_t GranularMotion::divide(double time, double longest)
     const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
     dt_ = time / static_cast<double>(steps);
     return steps;
-}
-
-void GranularMotion::wake()
-{
-    if (isListed_)
-    {
-        spread();
-        choose();
-    }
 }
 
 void GranularMotion::relieve()
@@ -156,7 +135,7 @@ void GranularMotion::relieve()
         spin_[row].setZero();
     }
     pushAll();
-    look(true);
+    look();
 }
 
 bool GranularMotion::liftOutOfWalls()
@@ -194,7 +173,6 @@ bool GranularMotion::liftOutOfWalls(std::uint32_t row)
 // As spheres lie now.
 void GranularMotion::pushAll()
 {
-    active_.assign(running_.size(), 1);
     list();
     if (hasSprings_)
     {
@@ -222,48 +200,8 @@ void GranularMotion::list()
     pairs_.list(reach_.all());
     walls_.list(reach_.all());
     isListed_ = true;
-    choose();
-}
-
-// To those around the active ones, ring by ring.
-void GranularMotion::spread()
-{
-    for (int ring = 0; ring < kRingsAround; ++ring)
-    {
-        const std::vector<char> before = active_;
-        pairs_.forEach(
-            [&](std::uint32_t a, std::uint32_t b)
-            {
-                active_[a] = static_cast<char>(active_[a] | before[b]);
-                active_[b] = static_cast<char>(active_[b] | before[a]);
-            });
-    }
-    const auto count = std::count(active_.begin(), active_.end(), 1);
-    if (static_cast<double>(count) > kMostChosen * static_cast<double>(active_.size()))
-    {
-        std::fill(active_.begin(), active_.end(), 1);
-    }
-}
-
-void GranularMotion::choose()
-{
-    rows_.clear();
-    for (std::uint32_t row = 0; row < running_.size(); ++row)
-    {
-        if (active_[row] != 0)
-        {
-            rows_.push_back(row);
-        }
-        else
-        {
-            running_.velocity[row].setZero();
-            spin_[row].setZero();
-        }
-    }
-    isFar_.resize((rows_.size() + kSpheresTogether - 1) / kSpheresTogether);
-    pairs_.choose(active_);
-    walls_.choose(active_);
     isPlanned_ = false;
+    isFar_.resize((running_.size() + kSpheresTogether - 1) / kSpheresTogether);
 }
 
 void GranularMotion::step(const ContactStep& step, const Course& course)
@@ -280,13 +218,13 @@ void GranularMotion::step(const ContactStep& step, const Course& course)
 // Springs accelerate them before; impulses have done so.
 void GranularMotion::moveAll(const Course& course, bool bySprings)
 {
-    forEachPart(threads_, rows_.size(), kSpheresTogether,
+    forEachPart(threads_, running_.size(), kSpheresTogether,
                 [&](std::size_t first, std::size_t last, std::size_t part)
                 {
                     char isFar = 0;
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        const std::uint32_t row = rows_[k];
+                        const auto row = static_cast<std::uint32_t>(k);
                         bySprings ? accelerate(row, course)
                                   : slow(row, isLoose_[row] != 0 ? kDragOfLoose : course.drag,
                                          course.fastest);
@@ -359,7 +297,7 @@ void GranularMotion::turn(std::uint32_t row, double dt)
     }
 }
 
-void GranularMotion::look(bool hardens)
+void GranularMotion::look()
 {
     unrest_ = {};
     for (std::uint32_t row = 0; row < running_.size(); ++row)
@@ -378,17 +316,10 @@ void GranularMotion::look(bool hardens)
         {
             lookAtHold(row, missing);
         }
-        active_[row] = missing > kQuiet || squared > kQuiet * kQuiet ? 1 : 0;
     }
     didFewMove_ = fewMove();
-    const auto enter = [&](std::uint32_t row, double overlap)
-    {
-        unrest_.overlap = std::max(unrest_.overlap, overlap);
-        if (hardens && overlap > kOverlapAtRest)
-        {
-            active_[row] = 1;
-        }
-    };
+    const auto enter = [&](std::uint32_t, double overlap)
+    { unrest_.overlap = std::max(unrest_.overlap, overlap); };
     walls_.forEachOverlap(enter);
     unrest_.wallOverlap = unrest_.overlap;
     pairs_.forEachOverlap(enter);

@@ -26,10 +26,6 @@ struct Unrest
 
 /// Moves all running spheres together, with spin, by forces of soft contacts, in small explicit
 /// steps. The same bits on any number of threads.
-///
-/// Spheres that are all but at rest, and whose contacts do not overlap where contacts harden, are
-/// not moved, unless one near them is: their forces stay as they were. Whether they rest is looked
-/// at with all forces as they are, so in the end nothing depends on it but where the rest lies.
 class GranularMotion
 {
 public:
@@ -44,20 +40,18 @@ public:
         /// [sqrt(g r)] No sphere becomes faster.
         double fastest = std::numeric_limits<double>::infinity();
     };
-    /// For a time [sqrt(r/g)], in steps that the stiffness allows. Who is to be moved is looked at
-    /// before.
+    /// For a time [sqrt(r/g)], in steps that the stiffness allows.
     void advance(double time, const Course& course);
-    /// The same by impulses, in longer steps, and for all: see ImpulseSweeps. Forces get through a
-    /// pile at once, so what is held still would be out of balance at its edge. Contacts give way
-    /// as long as `givesWay`, by little. Next to no drag slows what is loose: spheres on fewer than
-    /// three contacts, and those that move where few do.
+    /// The same by impulses, in longer steps: see ImpulseSweeps. Contacts give way as long as
+    /// `givesWay`, by little. Next to no drag slows what is loose: spheres on fewer than three
+    /// contacts, and those that move where few do.
     void advanceByImpulses(double time, const Course& course, bool givesWay);
     /// Whether contacts are springs from now on, which is what energy() counts; or know forces
     /// alone.
     void takeSprings(bool takes);
     /// All contacts become stiffer by a factor; friction holds what it held.
     void stiffen(double factor);
-    /// All contacts begin anew, as in a program that knows only where spheres lie. All are moved.
+    /// All contacts begin anew, as in a program that knows only where spheres lie.
     void forget();
     /// From now on.
     void setFriction(double ofSpheres, double ofWalls)
@@ -72,10 +66,8 @@ public:
     /// them while contacts were soft, to the nearest place above without a wall; all contacts begin
     /// anew. Returns whether there were any.
     [[nodiscard]] bool liftOutOfWalls();
-    /// To be called when there are other spheres, or they are elsewhere: all are moved.
+    /// To be called when there are other spheres, or they are elsewhere.
     void listAnew();
-    /// To be called when spheres have appeared in rows behind those that were there.
-    void admit();
 
     /// As all lie at the end of the last advance().
     [[nodiscard]] const Unrest& unrest() const { return unrest_; }
@@ -93,13 +85,10 @@ public:
 private:
     [[nodiscard]] double slipsFrom() const { return kSlipsFrom * softest_ / law_.stiffness; }
     void list();
-    void choose();
-    void spread();
     void pushAll();
     void step(const ContactStep& step, const Course& course);
     [[nodiscard]] std::size_t divide(double time, double longest);
     void stepByImpulses(const Course& course, double stiffness);
-    void wake();
     void plan();
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
     [[nodiscard]] Eigen::Vector3d accelerationOf(std::uint32_t row, const SurfaceForce& sum) const;
@@ -109,7 +98,7 @@ private:
     [[nodiscard]] bool move(std::uint32_t row);
     void turn(std::uint32_t row, double dt);
     [[nodiscard]] bool liftOutOfWalls(std::uint32_t row);
-    void look(bool hardens);
+    void look();
     void lookAtHold(std::uint32_t row, double missing);
 
     World& world_;
@@ -127,13 +116,11 @@ private:
     bool knowsImpulses_ = false; ///< or the next step without springs has to find them all
     bool isListed_ = false;
     bool hasSprings_ = true;
-    bool isPlanned_ = false;          ///< the order of sweeps
-    std::vector<char> active_;        ///< by row: it is not at rest, or near one that is not
-    std::vector<std::uint32_t> rows_; ///< the active ones, ascending
-    std::vector<char> isLoose_;       ///< by row: impulses move it next to without drag
-    std::vector<char> isFar_;         ///< by part of rows_: one has left its margin
-    bool didFewMove_ = false;         ///< at the last look; not since contacts begin anew
-    double dt_ = 0;                   ///< of the steps
+    bool isPlanned_ = false;    ///< the order of sweeps
+    std::vector<char> isLoose_; ///< by row: impulses move it next to without drag
+    std::vector<char> isFar_;   ///< by part of the rows: one has left its margin
+    bool didFewMove_ = false;   ///< at the last look; not since contacts begin anew
+    double dt_ = 0;             ///< of the steps
     Unrest unrest_;
 };
 

@@ -34,7 +34,7 @@ double leastSpeed(double gap, double dt)
 // A loop over few contacts is over before another thread has begun to help.
 void ImpulseSweeps::forEachShared(std::size_t count, const auto& body)
 {
-    const bool isWorth = rows_.size() >= kSpheresWorthSharing;
+    const bool isWorth = running_.size() >= kSpheresWorthSharing;
     threads_.forEach(count, body, isWorth ? 2 : count + 1);
 }
 
@@ -52,14 +52,14 @@ void ImpulseSweeps::forOneThenOther(const auto& visit)
     }
 }
 
-void ImpulseSweeps::plan(const std::vector<char>& active, double width)
+void ImpulseSweeps::plan(double width)
 {
     if (running_.size() == 0)
     {
         return;
     }
     layOut(width);
-    placeBodies(active);
+    placeBodies();
     threads_.forEachLarge(slabs_.size(),
                           [&](std::size_t k)
                           {
@@ -87,7 +87,7 @@ void ImpulseSweeps::layOut(double width)
     }
     const Eigen::Vector3d size = high - low;
     const int axis = size.x() > kLongerSide * size.z() ? 0 : 2;
-    for (const std::uint32_t k : pairs_.chosen())
+    for (std::uint32_t k = 0; k < pairs_.count(); ++k)
     {
         const auto [a, b] = pairs_.rowsOf(k);
         width = std::max(width, kBeyondRounding * std::abs(places[a][axis] - places[b][axis]));
@@ -104,42 +104,37 @@ void ImpulseSweeps::layOut(double width)
     {
         slab.items.clear();
     }
-    for (const std::uint32_t k : pairs_.chosen())
+    for (std::uint32_t k = 0; k < pairs_.count(); ++k)
     {
         const auto [a, b] = pairs_.rowsOf(k);
         const double height = (places[a].y() + places[b].y()) / 2;
         slabs_[std::min(slabOf(a), slabOf(b))].items.push_back({height, k, false, 0});
     }
-    for (const std::uint32_t k : walls_.chosen())
+    for (std::uint32_t k = 0; k < walls_.count(); ++k)
     {
         const std::uint32_t row = walls_.rowOf(k);
         slabs_[slabOf(row)].items.push_back({places[row].y(), k, true, 0});
     }
 }
 
-void ImpulseSweeps::placeBodies(const std::vector<char>& active)
+void ImpulseSweeps::placeBodies()
 {
     bodies_.assign(running_.size() + slabs_.size(), Body());
-    rows_.clear();
     for (std::uint32_t row = 0; row < running_.size(); ++row)
     {
         bodies_[row].inverseRadius = 1 / running_.radius[row];
-        if (active[row] != 0)
-        {
-            bodies_[row].inverseMass = 1 / massOf(running_.radius[row]);
-            rows_.push_back(row);
-        }
+        bodies_[row].inverseMass = 1 / massOf(running_.radius[row]);
     }
 }
 
 void ImpulseSweeps::solve(const ImpulseStep& step)
 {
-    threads_.forEach(rows_.size(),
+    threads_.forEach(running_.size(),
                      [&](std::size_t k)
                      {
-                         Body& body = bodies_[rows_[k]];
-                         body.velocity = running_.velocity[rows_[k]];
-                         body.surface = running_.radius[rows_[k]] * spin_[rows_[k]];
+                         const auto row = static_cast<std::uint32_t>(k);
+                         bodies_[row].velocity = running_.velocity[row];
+                         bodies_[row].surface = running_.radius[row] * spin_[row];
                      });
     forEverySlab([&](Slab& slab, std::size_t) { load(slab, step); });
     forOneThenOther([&](Slab& slab, std::size_t k)
@@ -149,12 +144,12 @@ void ImpulseSweeps::solve(const ImpulseStep& step)
         forOneThenOther([&](Slab& slab, std::size_t) { sweep(slab, k % 2 == 0); });
     }
     forEverySlab([&](Slab& slab, std::size_t) { store(slab, step.dt); });
-    threads_.forEach(rows_.size(),
+    threads_.forEach(running_.size(),
                      [&](std::size_t k)
                      {
-                         const Body& body = bodies_[rows_[k]];
-                         running_.velocity[rows_[k]] = body.velocity;
-                         spin_[rows_[k]] = body.inverseRadius * body.surface;
+                         const auto row = static_cast<std::uint32_t>(k);
+                         running_.velocity[row] = bodies_[row].velocity;
+                         spin_[row] = bodies_[row].inverseRadius * bodies_[row].surface;
                      });
 }
 

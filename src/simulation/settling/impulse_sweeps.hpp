@@ -40,9 +40,8 @@ public:
     {
     }
 
-    /// To be called when other contacts are chosen. `width`: of a slab at least [r]. Spheres that
-    /// are not active, by row, stand still.
-    void plan(const std::vector<char>& active, double width);
+    /// To be called when contacts are listed anew. `width`: of a slab at least [r].
+    void plan(double width);
     /// Turns velocities that would be without contacts into those with them. What contacts know,
     /// and the forces on spheres, are those of this step.
     void solve(const ImpulseStep& step);
@@ -99,7 +98,7 @@ private:
     void forEverySlab(const auto& visit);
     void forOneThenOther(const auto& visit);
     void layOut(double width);
-    void placeBodies(const std::vector<char>& active);
+    void placeBodies();
     void load(Slab& slab, const ImpulseStep& step);
     void add(Slab& slab, const LoadedContact& contact, const ImpulseStep& step) const;
     void start(Slab& slab, std::uint32_t walls);
@@ -117,8 +116,7 @@ private:
     PairContacts& pairs_;
     WallContacts& walls_;
     Threads& threads_;
-    std::vector<Body> bodies_;        ///< by row, then one by slab for its walls
-    std::vector<std::uint32_t> rows_; ///< the active ones
+    std::vector<Body> bodies_; ///< by row, then one by slab for its walls
     std::vector<Slab> slabs_;
 };
 

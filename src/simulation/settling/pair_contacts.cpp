@@ -21,11 +21,9 @@ void PairContacts::list(std::span<const double> reaches)
     broadPhase_.findPairs(reaches);
     const std::vector<Pair> before = std::move(pairs_);
     const std::vector<ContactMemory> known = std::move(memory_);
-    const std::vector<SurfaceForce> forcesBefore = std::move(forces_);
     const std::vector<std::uint32_t> firstBefore = std::move(firstPair_);
     pairs_.clear();
     memory_.clear();
-    forces_.clear();
     firstPair_.assign(running_.size() + 1, 0);
     for (std::uint32_t a = 0; a < running_.size(); ++a)
     {
@@ -45,10 +43,10 @@ void PairContacts::list(std::span<const double> reaches)
             pairs_.push_back(pairOf(a, b));
             const bool isKnown = old < end && before[old].b == b;
             memory_.push_back(isKnown ? known[old] : ContactMemory());
-            forces_.push_back(isKnown ? forcesBefore[old] : SurfaceForce());
         }
     }
     firstPair_.back() = static_cast<std::uint32_t>(pairs_.size());
+    forces_.assign(pairs_.size(), {});
     sortByRow();
 }
 
@@ -104,26 +102,14 @@ void PairContacts::forget()
     std::fill(memory_.begin(), memory_.end(), ContactMemory{});
 }
 
-void PairContacts::choose(const std::vector<char>& active)
-{
-    chosen_.clear();
-    for (std::uint32_t k = 0; k < pairs_.size(); ++k)
-    {
-        if (active[pairs_[k].a] != 0 || active[pairs_[k].b] != 0)
-        {
-            chosen_.push_back(k);
-        }
-    }
-}
-
 void PairContacts::push(const ContactStep& step)
 {
-    forEachPart(threads_, chosen_.size(), kPairsTogether,
+    forEachPart(threads_, pairs_.size(), kPairsTogether,
                 [&](std::size_t first, std::size_t last, std::size_t)
                 {
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        pushApart(chosen_[k], step);
+                        pushApart(k, step);
                     }
                 });
 }

@@ -38,12 +38,8 @@ public:
     void takeSprings(bool takes);
     /// Contacts begin anew: nothing is held but by overlaps.
     void forget();
-    /// From now on push() looks only at pairs of which one at least is active, by row; the others
-    /// go on pushing as they did.
-    void choose(const std::vector<char>& active);
     void push(const ContactStep& step);
-    /// Those that push() looks at, by number.
-    [[nodiscard]] std::span<const std::uint32_t> chosen() const { return chosen_; }
+    [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(pairs_.size()); }
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> rowsOf(std::uint32_t k) const
     {
         return {pairs_[k].a, pairs_[k].b};
@@ -65,15 +61,6 @@ public:
     /// Of how many pairs that is more than `least` [m g].
     [[nodiscard]] int countOn(std::uint32_t row, double least) const;
 
-    /// Calls visit(a, b) for the rows of each pair.
-    template <class Visit>
-    void forEach(Visit&& visit) const
-    {
-        for (const Pair& pair : pairs_)
-        {
-            visit(pair.a, pair.b);
-        }
-    }
     /// Calls visit(row, overlap) for both of each pair that overlaps, as spheres lie now [r].
     template <class Visit>
     void forEachOverlap(Visit&& visit) const
@@ -109,8 +96,7 @@ private:
     // By pair, ascending in a, then in b.
     std::vector<Pair> pairs_;
     std::vector<ContactMemory> memory_;
-    std::vector<SurfaceForce> forces_;  ///< on b
-    std::vector<std::uint32_t> chosen_; ///< in pairs_
+    std::vector<SurfaceForce> forces_; ///< on b
     // By row.
     std::vector<std::uint32_t> firstPair_; ///< [#rows + 1] in pairs_: those whose a it is
     std::vector<std::uint32_t> firstEnd_;  ///< [#rows + 1] in ends_

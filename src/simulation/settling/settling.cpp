@@ -61,7 +61,7 @@ void Settling::admit()
         order_.push_back(static_cast<std::uint32_t>(id));
         mass_ += massOf(world_.spheres.radius(id));
     }
-    motion_.admit();
+    motion_.listAnew();
 }
 
 void Settling::begin()

@@ -57,14 +57,6 @@ inline constexpr double kTimeOfLook = 0.5;
 /// than this [sqrt(g r)]. Larger: what creeps is taken to rest.
 inline constexpr double kMissingOnMoving = SettlingReport::kMissingOnMost;
 inline constexpr double kSpeedOfMoving = 2e-3;
-/// Force that may be missing [own weight], and speed [sqrt(g r)], of a sphere that is not moved.
-/// Larger: what creeps stops. Smaller: more is moved.
-inline constexpr double kQuiet = 1e-3;
-/// Rings of neighbours that are moved with one that moves. Larger: more is moved. Smaller: forces
-/// take more looks to get through.
-inline constexpr int kRingsAround = 2;
-/// Share of the spheres from which all are moved.
-inline constexpr double kMostChosen = 0.6;
 /// Share of the spheres that may still move when contacts begin to harden. Larger: drag slows down
 /// what still flows. Smaller: everybody waits for few.
 inline constexpr double kFewMove = 0.01;

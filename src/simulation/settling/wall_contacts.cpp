@@ -81,26 +81,14 @@ void WallContacts::forget()
     }
 }
 
-void WallContacts::choose(const std::vector<char>& active)
-{
-    chosen_.clear();
-    for (std::uint32_t k = 0; k < beside_.size(); ++k)
-    {
-        if (active[beside_[k].row] != 0)
-        {
-            chosen_.push_back(k);
-        }
-    }
-}
-
 void WallContacts::push(const ContactStep& step)
 {
-    forEachPart(threads_, chosen_.size(), kWallsTogether,
+    forEachPart(threads_, beside_.size(), kWallsTogether,
                 [&](std::size_t first, std::size_t last, std::size_t)
                 {
                     for (std::size_t k = first; k < last; ++k)
                     {
-                        pushOff(beside_[chosen_[k]], step);
+                        pushOff(beside_[k], step);
                     }
                 });
 }

@@ -35,11 +35,9 @@ public:
     void takeSprings(bool takes);
     /// Contacts begin anew: nothing is held but by overlaps.
     void forget();
-    /// From now on push() looks only at active spheres, by row; the others are pushed as they were.
-    void choose(const std::vector<char>& active);
     void push(const ContactStep& step);
-    /// Spheres beside walls that push() looks at, by number.
-    [[nodiscard]] std::span<const std::uint32_t> chosen() const { return chosen_; }
+    /// Of spheres beside walls.
+    [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(beside_.size()); }
     [[nodiscard]] std::uint32_t rowOf(std::uint32_t k) const { return beside_[k].row; }
     /// Calls visit(contact) for each wall of one of them with a gap below `gap` [r]. Contacts know
     /// what they knew.
@@ -119,7 +117,6 @@ private:
     RunningColumn<NeighbourList> around_;
     bool hasSprings_ = true;
     std::vector<Beside> beside_;         ///< ascending in row
-    std::vector<std::uint32_t> chosen_;  ///< in beside_
     std::vector<std::uint32_t> placeOf_; ///< by row: in beside_, or kNowhere
 };
 

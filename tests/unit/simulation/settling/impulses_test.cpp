@@ -261,13 +261,11 @@ public:
         }
         const std::vector<double> reaches(running_.size(), kReach);
         pairs_.list(reaches);
-        const std::vector<char> active(running_.size(), 1);
-        pairs_.choose(active);
         for (std::uint32_t row = 0; row < running_.size(); row += 4)
         {
             running_.position[row + 2].z() = kFirst + 2.65;
         }
-        sweeps_.plan(active, 2 * kReach);
+        sweeps_.plan(2 * kReach);
         for (std::uint32_t row = 0; row < running_.size(); row += 4)
         {
             running_.position[row + 1].z() = kFirst + 0.65; // it meets the second
