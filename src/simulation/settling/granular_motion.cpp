@@ -48,7 +48,7 @@ void GranularMotion::advance(double time, const Course& course)
     takeSprings(true);
     const std::size_t steps =
         divide(time, kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness));
-    for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
+    for (std::size_t k = 0; k < steps && (k == 0 || !world_.stop.isAsked()); ++k)
     {
         step({dt_, course.hardening, slipsFrom()}, course);
     }
@@ -61,7 +61,7 @@ void GranularMotion::advanceByImpulses(double time, const Course& course, bool g
     takeSprings(false);
     const double step = didFewMove_ ? kStepOfFew : kStepOfImpulses;
     const std::size_t steps = divide(time, step * std::sqrt(world_.radii.smallest()));
-    for (std::size_t k = 0; k < steps && !world_.stop.isAsked(); ++k)
+    for (std::size_t k = 0; k < steps && (k == 0 || !world_.stop.isAsked()); ++k)
     {
         stepByImpulses(course, givesWay ? kStiffnessOfImpulses * softest_ : 0);
     }
@@ -105,7 +105,8 @@ void GranularMotion::plan()
     }
 }
 
-// Into equal steps. Returns how many.
+// Into equal steps, of which one at least is made: it lists what the look asks for. Returns how
+// many.
 std::size_t GranularMotion::divide(double time, double longest)
 {
     const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
