@@ -253,7 +253,8 @@ public:
         for (int k = 0; k < kColumns; ++k)
         {
             const double x = 3.0 * (k % 5) - 6;
-            const double y = 3.0 * (k / 5) - 96;
+            const int level = k / 5;
+            const double y = 3.0 * level - 96;
             for (const double z : {-9.0, kFirst, kFirst + 2.5, kFirst + 2.65 + 2 + kGapAtRest})
             {
                 world_->spheres.add({x, y, z}, 1, 0);
@@ -316,7 +317,8 @@ TEST(Impulses, EndAStepInWhichASphereIsLost)
         Bench bench;
         for (int k = 0; k < 60; ++k)
         {
-            bench.add({2.2 * (k % 7) - 7, -9 + 2.2 * (k / 49), 2.2 * (k / 7 % 7) - 7});
+            const Eigen::Vector3i site(k % 7, k / 49, k / 7 % 7);
+            bench.add(Vector3d(-7, -9, -7) + 2.2 * site.cast<double>());
         }
         bench.start(0.3);
         bench.motion().advanceByImpulses(0.1, {}, false);
