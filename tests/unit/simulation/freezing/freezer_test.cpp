@@ -58,7 +58,8 @@ TEST(Freezer, TakesTheLowestFirstWhereSomeHeightsAreNoNumbers)
     for (std::uint32_t k = 0; k < 200; ++k)
     {
         const double x = 3 * (k % 13) - 18.0;
-        const double z = 3 * (k / 13) - 18.0;
+        const std::uint32_t line = k / 13;
+        const double z = 3 * line - 18.0;
         const double y =
             k % 5 == 0 ? std::numeric_limits<double>::quiet_NaN() : 0.001 * (k * 97 % 200);
         world->spheres.add({x, y, z}, 1, 0);
