@@ -71,12 +71,12 @@ if("core" IN_LIST frostfill_FIND_COMPONENTS OR "render" IN_LIST frostfill_FIND_C
     find_dependency(assimp)
     find_dependency(ZLIB)
     find_dependency(fmt)
-    find_dependency(meshoptimizer)
     find_dependency(TBB)
     find_dependency(tomlplusplus)
     include(${CMAKE_CURRENT_LIST_DIR}/frostfill-core.cmake)
 endif()
 if("render" IN_LIST frostfill_FIND_COMPONENTS)
+    find_dependency(meshoptimizer)
     find_dependency(PkgConfig)
     pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)
     pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
@@ -114,12 +114,12 @@ Cflags: -I${includedir}
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/${name}.pc DESTINATION ${folder} COMPONENT development)
 endfunction()
 frostfill_pkg_config(frostfill-core "Frostfill's meshes, scenes and simulation (static)" frostfill_core
-    "eigen3, assimp, fmt, tbb, tomlplusplus, zlib" -lmeshoptimizer)
+    "eigen3, assimp, fmt, tbb, tomlplusplus, zlib")
 if(FROSTFILL_VORO)
     set(voro -l${FROSTFILL_VORO})
 endif()
 frostfill_pkg_config(frostfill-render "Frostfill with pictures and files (static)" frostfill_render
-    "frostfill-core, stb, libdeflate, libisal, libzstd" ${voro})
+    "frostfill-core, stb, libdeflate, libisal, libzstd" -lmeshoptimizer ${voro})
 if(FROSTFILL_SHARED)
     frostfill_pkg_config(frostfill "Fills a closed mesh with falling spheres and renders it"
         frostfill "eigen3")

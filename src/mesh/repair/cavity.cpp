@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "geometry/closest_point.hpp"
 #include "geometry/grid_frame.hpp"
-#include "mesh/interior/near_surface.hpp"
 #include "mesh/repair/repair_steps.hpp"
 
 #include <frostfill/mesh.hpp>
@@ -28,6 +28,8 @@ constexpr int kWallsOfRoom = 16;
 constexpr int kStepsToRoom = 3;
 /// A byte each.
 constexpr double kMaxCells = 16e6;
+/// Cubes looked at, for all triangles: a second.
+constexpr std::size_t kMaxLooks = 100'000'000;
 
 class Cells
 {
@@ -42,27 +44,52 @@ public:
         }
     }
 
-    /// Marks all cubes that the surface meets, and some beside. False when there are too many
-    /// cubes.
+    /// Marks the cubes near all triangles. False when there are too many cubes, or that would take
+    /// too long.
     [[nodiscard]] bool block(const TriangleMesh& mesh)
     {
-        if (state_.empty())
+        return !state_.empty() &&
+               std::all_of(mesh.triangles.begin(), mesh.triangles.end(),
+                           [&](const auto& t) {
+                               return block(mesh.vertices[t[0]], mesh.vertices[t[1]],
+                                            mesh.vertices[t[2]]);
+                           });
+    }
+
+    /// Marks all cubes that a triangle meets, and some beside. Returns false when that would take
+    /// too long.
+    [[nodiscard]] bool block(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                             const Eigen::Vector3d& c)
+    {
+        const double reach = kHalfDiagonal * frame_.cell;
+        const auto first = frame_.coordinates(a.cwiseMin(b).cwiseMin(c).array() - reach);
+        const auto last = frame_.coordinates(a.cwiseMax(b).cwiseMax(c).array() + reach);
+        std::size_t looks = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+        {
+            looks *= static_cast<std::size_t>(last[axis] - first[axis] + 1);
+        }
+        looks_ += looks;
+        if (looks_ > kMaxLooks)
         {
             return false;
         }
-        const Surface surface(mesh, Walls{}, MeshIndex(mesh));
-        const auto blockRun = [this](int y, int z, CellRun run, auto&& isNear)
+        for (int z = first[2]; z <= last[2]; ++z)
         {
-            for (int x = run.first; x <= run.last; ++x)
+            for (int y = first[1]; y <= last[1]; ++y)
             {
-                char& state = state_[frame_.index(x, y, z)];
-                state = state == kBlocked || isNear(x) ? kBlocked : kFree;
+                for (int x = first[0]; x <= last[0]; ++x)
+                {
+                    char& state = state_[frame_.index(x, y, z)];
+                    const Eigen::Vector3d middle = frame_.centre(x, y, z);
+                    if (state == kFree &&
+                        (closestPointOnTriangle(middle, a, b, c).point - middle).norm() <= reach)
+                    {
+                        state = kBlocked;
+                    }
+                }
             }
-        };
-        forEachGroup(
-            surface, frame_.cell,
-            [&](const TriangleGroup& group)
-            { forEachRunNear(frame_, surface, group, kHalfDiagonal * frame_.cell, blockRun); });
+        }
         return true;
     }
 
@@ -121,11 +148,12 @@ private:
     }
 
     GridFrame frame_;
+    std::size_t looks_ = 0;
     std::vector<char> state_;
 };
 
 /// [#T] Which triangles face a room that the surface mostly encloses, closed or open, such as the
-/// inside of a cup. False for all where there are too many cubes.
+/// inside of a cup. False for all where that would take too long.
 std::vector<bool> facesRooms(const TriangleMesh& mesh)
 {
     std::vector<bool> faces(mesh.triangles.size(), false);

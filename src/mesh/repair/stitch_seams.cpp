@@ -3,9 +3,9 @@
 #include "mesh/repair/repair_steps.hpp"
 
 #include <fmt/format.h>
-#include <meshoptimizer.h>
 
 #include <array>
+#include <bit>
 #include <optional>
 
 namespace frostfill
@@ -244,21 +244,47 @@ std::vector<std::string> stitchSeams(TriangleMesh& mesh)
     return repairs;
 }
 
-// By the bits of the positions. For that alone -0 becomes +0, which is equal.
+namespace
+{
+
+/// Of the bits of a position; +0 and -0 are equal.
+std::uint64_t hashOf(const Eigen::Vector3d& position)
+{
+    std::uint64_t hash = 0;
+    for (const double coordinate : position)
+    {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(coordinate + 0.0)) * 0x9e3779b97f4a7c15U;
+        hash ^= hash >> 29;
+    }
+    return hash;
+}
+
+} // namespace
+
+// With open addressing: a table of numbers, in which a vertex stands where its hash says or behind.
 void weldEqualVertices(TriangleMesh& mesh)
 {
-    std::vector<Eigen::Vector3d> positions = mesh.vertices;
-    std::for_each(positions.begin(), positions.end(), [](auto& p) { p.array() += 0.0; });
-    std::vector<std::uint32_t> place(positions.size());
-    const std::size_t kept =
-        meshopt_generateVertexRemap(place.data(), nullptr, positions.size(), positions.data(),
-                                    positions.size(), sizeof positions[0]);
-    for (std::size_t i = place.size(); i-- > 0;)
+    constexpr std::uint32_t kFree = 0xffffffff;
+    const std::size_t mask = std::bit_ceil(2 * mesh.vertices.size() + 1) - 1;
+    std::vector<std::uint32_t> table(mask + 1, kFree);
+    std::vector<std::uint32_t> place;
+    place.reserve(mesh.vertices.size());
+    std::uint32_t kept = 0;
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
     {
-        positions[place[i]] = mesh.vertices[i]; // in the end that of the first
+        std::size_t slot = hashOf(vertex) & mask;
+        while (table[slot] != kFree && mesh.vertices[table[slot]] != vertex)
+        {
+            slot = (slot + 1) & mask;
+        }
+        if (table[slot] == kFree)
+        {
+            mesh.vertices[kept] = vertex;
+            table[slot] = kept++;
+        }
+        place.push_back(table[slot]);
     }
-    positions.resize(kept);
-    mesh.vertices = std::move(positions);
+    mesh.vertices.resize(kept);
     renumberCorners(mesh, [&](std::uint32_t corner) { return place[corner]; });
 }
 
