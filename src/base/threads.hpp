@@ -48,6 +48,12 @@ public:
     {
         forEach(count, body, 2);
     }
+    /// The same for bodies that take less than a microsecond.
+    template <class Body>
+    void forEachSmall(std::size_t count, Body&& body)
+    {
+        forEach(count, body, 1024);
+    }
 
 private:
     using Run = void (*)(const void* body, std::size_t first, std::size_t end);

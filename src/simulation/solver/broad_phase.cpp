@@ -45,24 +45,25 @@ void BroadPhase::findPairs(std::span<const double> radii)
         return;
     }
     const SphereLevels levels(position, radii);
-    threads_.forEach(levels.order().size(),
-                     [&](std::size_t i)
-                     {
-                         const std::uint32_t row = levels.order()[i];
-                         const Eigen::Vector3d& p = position[row];
-                         std::vector<std::uint32_t>& nearby = nearby_[row];
-                         nearby.clear();
-                         levels.forEachNear(
-                             p, [&](double largest) { return radii[row] + largest + margin_; },
-                             [&](std::uint32_t other, const Eigen::Vector3d& centre, double radius)
-                             {
-                                 if (mayTouch(p, radii[row], centre, radius) && other != row)
-                                 {
-                                     nearby.push_back(other);
-                                 }
-                             });
-                         std::sort(nearby.begin(), nearby.end());
-                     });
+    threads_.forEachSmall(
+        levels.order().size(),
+        [&](std::size_t i)
+        {
+            const std::uint32_t row = levels.order()[i];
+            const Eigen::Vector3d& p = position[row];
+            std::vector<std::uint32_t>& nearby = nearby_[row];
+            nearby.clear();
+            levels.forEachNear(
+                p, [&](double largest) { return radii[row] + largest + margin_; },
+                [&](std::uint32_t other, const Eigen::Vector3d& centre, double radius)
+                {
+                    if (mayTouch(p, radii[row], centre, radius) && other != row)
+                    {
+                        nearby.push_back(other);
+                    }
+                });
+            std::sort(nearby.begin(), nearby.end());
+        });
 }
 
 void BroadPhase::findAmongAll(std::span<const double> radii)

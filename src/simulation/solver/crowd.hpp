@@ -76,7 +76,8 @@ public:
     template <class Body>
     void forEachMember(Body&& body) const
     {
-        threads_.forEach(size(), [&](std::size_t slot) { body(static_cast<std::uint32_t>(slot)); });
+        threads_.forEachSmall(size(),
+                              [&](std::size_t slot) { body(static_cast<std::uint32_t>(slot)); });
     }
     [[nodiscard]] Threads& threads() const { return threads_; }
 
