@@ -24,22 +24,22 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
         const bool isAlone = group.triangles.size() == 1;
         const auto enter = [&](int x, int y, int z)
         {
-            const std::size_t cell = cells_.obtain(x, y, z);
-            counts.resize(cells_.size(), 0);
+            std::size_t cell = cells_.find(x, y, z);
+            const Eigen::Vector3d centre = frame_.centre(x, y, z);
             for (const std::uint32_t t : group.triangles)
             {
-                if (counts[cell] <= kShortList &&
-                    (isAlone || near.isNear(t, frame_.centre(x, y, z))))
+                if (cell != Cells::kNone && counts[cell] > kShortList)
                 {
+                    return;
+                }
+                if (isAlone || near.isNear(t, centre))
+                {
+                    cell = cells_.obtain(x, y, z);
+                    counts.resize(cells_.size(), 0);
                     ++counts[cell];
                     entries.push_back({static_cast<std::uint32_t>(cell), t});
                 }
             }
-        };
-        const auto isFull = [&](int x, int y, int z)
-        {
-            const std::size_t cell = cells_.find(x, y, z);
-            return cell != Cells::kNone && counts[cell] > kShortList;
         };
         const auto enterRun = [&](int y, int z, CellRun run, auto&& isNear)
         {
@@ -54,15 +54,12 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
             }
             for (int x = run.first; x <= run.last; ++x)
             {
-                if (isAlone || (!isFull(x, y, z) && isNear(x)))
-                {
-                    enter(x, y, z);
-                }
+                enter(x, y, z);
             }
         };
         forEachRunNear(frame_, surface, group, reachOfCentre(), enterRun);
     };
-    forEachGroup(surface, frame.cell, enterGroup);
+    forEachGroup(surface, 2 * frame.cell, enterGroup);
 
     // By the triangle, then by the cell.
     const Buckets<std::uint32_t> cellsOf(surface.size(),

@@ -62,6 +62,7 @@ public:
                              const Eigen::Vector3d& c)
     {
         const double reach = kHalfDiagonal * frame_.cell;
+        const double length = std::sqrt(std::max((b - a).squaredNorm(), (c - a).squaredNorm()));
         const auto first = frame_.coordinates(a.cwiseMin(b).cwiseMin(c).array() - reach);
         const auto last = frame_.coordinates(a.cwiseMax(b).cwiseMax(c).array() + reach);
         std::size_t looks = 1;
@@ -82,8 +83,10 @@ public:
                 {
                     char& state = state_[frame_.index(x, y, z)];
                     const Eigen::Vector3d middle = frame_.centre(x, y, z);
-                    if (state == kFree &&
-                        (closestPointOnTriangle(middle, a, b, c).point - middle).norm() <= reach)
+                    const double toCorner = (a - middle).norm(); // mostly decides for small ones
+                    if (state == kFree && toCorner - length <= reach &&
+                        (toCorner <= reach ||
+                         (closestPointOnTriangle(middle, a, b, c).point - middle).norm() <= reach))
                     {
                         state = kBlocked;
                     }
