@@ -233,6 +233,8 @@ public:
     /// The object's report, see inspectInterior.
     [[nodiscard]] const MeshReport& object() const;
     [[nodiscard]] SphereRecord sphere(std::size_t id) const;
+    /// [mesh unit] The same sphere's, without finding out what is discarded.
+    [[nodiscard]] double radius(std::size_t id) const;
     [[nodiscard]] std::vector<PolygonState> polygonStates() const;
     [[nodiscard]] const OperationCounts& operations() const;
     [[nodiscard]] const StageTimes& times() const;

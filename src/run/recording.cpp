@@ -338,7 +338,7 @@ public:
         // One that is withdrawn has taken as much as the one whose number it had.
         for (; seen_ < simulation.sphereCount(); ++seen_)
         {
-            sum_ += 4.0 / 3.0 * std::numbers::pi * std::pow(simulation.sphere(seen_).radius, 3);
+            sum_ += 4.0 / 3.0 * std::numbers::pi * std::pow(simulation.radius(seen_), 3);
         }
         return sum_;
     }

@@ -211,6 +211,12 @@ SphereRecord Simulation::sphere(std::size_t id) const
     return recordOf(implementation_->world, id);
 }
 
+double Simulation::radius(std::size_t id) const
+{
+    const World& world = implementation_->world;
+    return world.spheres.radius(static_cast<std::uint32_t>(id)) * world.frame.length;
+}
+
 std::vector<ColumnValues> Simulation::columns() const
 {
     return implementation_->columns.all();

@@ -58,6 +58,21 @@ std::string runFileOf(const FillRequest& request, const std::filesystem::path& f
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
+TEST(Simulate, AsksForNoDiscardsUntilTheEndWhereNobodyLooks)
+{
+    FillRequest request = smallRequest(Motion::skip);
+    request.scene.spheres.untilFull = true;
+    Simulation simulation(request.scene, builtInMesh("torus"));
+    double discarding = 0; // [s]
+    FillObserver observer;
+    observer.progressed = [&](const FillProgress&)
+    { discarding = simulation.finished() ? discarding : simulation.times()[Stage::discarding]; };
+    EXPECT_EQ(simulate(simulation, nullptr, request, observer), RunEnd::itself);
+    EXPECT_EQ(discarding, 0);
+    EXPECT_GT(simulation.times()[Stage::discarding], 0);
+    EXPECT_EQ(simulation.radius(std::size_t{7}), simulation.sphere(7).radius);
+}
+
 TEST(ColumnsToCarry, AreThoseThatPicturesShowWhereNoRunIsKept)
 {
     Scene scene = presetScene(Preset::fast, "torus");
