@@ -67,13 +67,6 @@ void forEachGroup(const Surface& surface, double longest, Threads& threads, Visi
                                      visit);
                     });
 }
-/// The same on one.
-template <class Visit>
-void forEachGroup(const Surface& surface, double longest, Visit&& visit)
-{
-    Threads one(1);
-    forEachGroup(surface, longest, one, visit);
-}
 
 /// Whether points are within `reach` of a group of triangles. The triangles' planes and discs
 /// decide of most; the nearest of their points is looked for where those do not.

@@ -59,7 +59,8 @@ TriangleGrid::TriangleGrid(const Surface& surface, const GridFrame& frame, doubl
         };
         forEachRunNear(frame_, surface, group, reachOfCentre(), enterRun);
     };
-    forEachGroup(surface, 2 * frame.cell, enterGroup);
+    Threads one(1); // groups are entered in their order
+    forEachGroup(surface, 2 * frame.cell, one, enterGroup);
 
     // By the triangle, then by the cell.
     const Buckets<std::uint32_t> cellsOf(surface.size(),

@@ -46,12 +46,10 @@ void GranularMotion::forget()
 void GranularMotion::advance(double time, const Course& course)
 {
     takeSprings(true);
-    const std::size_t steps =
-        divide(time, kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness));
-    for (std::size_t k = 0; k < steps && (k == 0 || !world_.stop.isAsked()); ++k)
-    {
-        step({dt_, course.hardening, slipsFrom()}, course);
-    }
+    divide(time, kStepOfSettling * world_.radii.smallest() / std::sqrt(law_.stiffness),
+           [&] {
+               step({dt_, course.hardening, slipsFrom()}, course);
+           });
     knowsImpulses_ = true;
     look();
 }
@@ -60,11 +58,8 @@ void GranularMotion::advanceByImpulses(double time, const Course& course, bool g
 {
     takeSprings(false);
     const double step = didFewMove_ ? kStepOfFew : kStepOfImpulses;
-    const std::size_t steps = divide(time, step * std::sqrt(world_.radii.smallest()));
-    for (std::size_t k = 0; k < steps && (k == 0 || !world_.stop.isAsked()); ++k)
-    {
-        stepByImpulses(course, givesWay ? kStiffnessOfImpulses * softest_ : 0);
-    }
+    divide(time, step * std::sqrt(world_.radii.smallest()),
+           [&] { stepByImpulses(course, givesWay ? kStiffnessOfImpulses * softest_ : 0); });
     look();
 }
 
@@ -105,13 +100,15 @@ void GranularMotion::plan()
     }
 }
 
-// Into equal steps, of which one at least is made: it lists what the look asks for. Returns how
-// many.
-std::size_t GranularMotion::divide(double time, double longest)
+// Into equal steps, of which one at least is made: it lists what the look asks for.
+void GranularMotion::divide(double time, double longest, const auto& step)
 {
     const auto steps = static_cast<std::size_t>(std::ceil(time / longest));
     dt_ = time / static_cast<double>(steps);
-    return steps;
+    for (std::size_t k = 0; k < steps && (k == 0 || !world_.stop.isAsked()); ++k)
+    {
+        step();
+    }
 }
 
 void GranularMotion::relieve()

@@ -87,7 +87,7 @@ private:
     void list();
     void pushAll();
     void step(const ContactStep& step, const Course& course);
-    [[nodiscard]] std::size_t divide(double time, double longest);
+    void divide(double time, double longest, const auto& step);
     void stepByImpulses(const Course& course, double stiffness);
     void plan();
     [[nodiscard]] SurfaceForce forceOn(std::uint32_t row) const;
