@@ -17,6 +17,8 @@ namespace frostfill
 namespace
 {
 
+Threads one(1);
+
 TEST(NearSurface, GroupsHaveEachTriangleOnceAndAreAsLongAsAllowed)
 {
     const Surface surface(shapes::torus(1, 0.4, 40, 20));
@@ -24,7 +26,7 @@ TEST(NearSurface, GroupsHaveEachTriangleOnceAndAreAsLongAsAllowed)
     {
         std::vector<std::uint32_t> all;
         std::size_t groups = 0;
-        forEachGroup(surface, longest,
+        forEachGroup(surface, longest, one,
                      [&](const TriangleGroup& group)
                      {
                          ++groups;
@@ -91,7 +93,7 @@ TEST(NearSurface, HasAllCellsNearATriangleHoweverLargeItIs)
             }
         }
         Cells found;
-        forEachGroup(surface, frame.cell,
+        forEachGroup(surface, frame.cell, one,
                      [&](const TriangleGroup& group)
                      {
                          forEachRunNear(frame, surface, group, kDistance,
@@ -118,7 +120,7 @@ TEST(NearSurface, OfALongTriangleLooksAtRowsBesideIt)
     const GridFrame frame = GridFrame::cover(surface.box(), 0.69, 0.5);
     std::size_t runs = 0;
     std::size_t near = 0;
-    forEachGroup(surface, frame.cell,
+    forEachGroup(surface, frame.cell, one,
                  [&](const TriangleGroup& group)
                  {
                      forEachRunNear(frame, surface, group, 1.3,
