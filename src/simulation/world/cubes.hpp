@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace frostfill
@@ -146,26 +147,29 @@ public:
     template <class Visit>
     void takeConnected(CubeSet& set, CubeWord start, Visit&& visit) const
     {
-        std::vector<CubeWord> stack = {start};
-        while (!stack.empty())
+        // In breadth, whose border is a surface: in depth most of the set would wait at once.
+        std::vector<CubeWord> border = {start};
+        std::vector<CubeWord> beyond;
+        for (; !border.empty(); std::swap(border, beyond), beyond.clear())
         {
-            const std::size_t word = stack.back().word;
-            const CubeWord found{word, filled(stack.back().bits, set[word])};
-            stack.pop_back();
-            if (found.bits == 0)
+            for (const auto& [word, bits] : border)
             {
-                continue;
-            }
-            set[word] &= ~found.bits;
-            visit(found);
-            forEachNeighbour(found,
-                             [&](CubeWord next)
-                             {
-                                 if ((set[next.word] & next.bits) != 0)
+                const CubeWord found{word, filled(bits, set[word])};
+                if (found.bits == 0)
+                {
+                    continue;
+                }
+                set[word] &= ~found.bits;
+                visit(found);
+                forEachNeighbour(found,
+                                 [&](CubeWord next)
                                  {
-                                     stack.push_back(next);
-                                 }
-                             });
+                                     if ((set[next.word] & next.bits) != 0)
+                                     {
+                                         beyond.push_back(next);
+                                     }
+                                 });
+            }
         }
     }
 
