@@ -297,10 +297,9 @@ std::string headOf(const FillRequest& request, const LoadedMesh& mesh, const Sim
 void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
              const Simulation& simulation, const FramePlan& frames)
 {
-    recorder.keepIn(std::make_unique<RunFileWriter>(
-        request.directory / kRunFile, headOf(request, mesh, simulation, frames), mesh.mesh,
-        simulation.smallestRadius(),
-        request.resume ? EarlierFile::continued : EarlierFile::replace));
+    recorder.keepIn(std::make_unique<RunFileWriter>(request.directory / kRunFile,
+                                                    headOf(request, mesh, simulation, frames),
+                                                    mesh.mesh, simulation.smallestRadius()));
 }
 
 // The states of other runs wait beside: a kill leaves what nothing goes on with.
