@@ -250,7 +250,8 @@ FramePlan planPictures(const Scene& all, const LoadedMesh& mesh, const RunLength
 
 std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const LoadedMesh& mesh,
                                             const Simulation& simulation,
-                                            const std::optional<CameraPath>& path)
+                                            const std::optional<CameraPath>& path,
+                                            std::function<bool()> stopRequested)
 {
     const Scene& scene = request.scene;
     if (!sceneWithFrames(scene).frames.enabled)
@@ -268,6 +269,7 @@ std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const Lo
     auto recorder = std::make_unique<FrameRecorder>(std::move(painter), simulation.smallestRadius(),
                                                     framesToDraw(scene).isLastOnly());
     recorder->carry(columnsToCarry(scene));
+    recorder->stopWhen(std::move(stopRequested));
     return recorder;
 }
 
