@@ -94,18 +94,18 @@ for (let index = 0; index < frames; ++index) {
 // Colours are the bytes red, green, blue, 255, in this order in memory.
 film.seek(frames - 1);
 const look = facts.looks[facts.look];
-const bytesOf = (by) => {
+const colourBytesOf = (by) => {
   const colourOf = coloursOf(film, by, look);
   return new Uint8Array(Uint32Array.from({ length: film.spheres }, (_, id) => colourOf(id)).buffer);
 };
 const names = ["running", "frozen", "discarded", "running"];
-let bytes = bytesOf("state");
+let bytes = colourBytesOf("state");
 for (let i = 0; i < film.spheres; ++i) {
   assert.deepEqual(Array.from(bytes.subarray(4 * i, 4 * i + 4)),
     [...look[names[film.states[i]]].slice(0, 3), 255]);
 }
 const ofGroups = facts.colours.find(({ by }) => by === "group");
-bytes = bytesOf("group");
+bytes = colourBytesOf("group");
 for (let i = 0; i < film.spheres; ++i) {
   const share = Math.min(1, film.values.group[i] / ofGroups.high);
   assert.deepEqual(Array.from(bytes.subarray(4 * i, 4 * i + 3)),
