@@ -111,7 +111,17 @@ RunFileWriter::~RunFileWriter() = default;
 
 void RunFileWriter::put(std::size_t frame, const Snapshot& snapshot, const ExactSphere& exact)
 {
-    implementation_->encoder.encode(snapshot, asPictured(snapshot, exact));
+    // Spheres that run are kept where the snapshot has them.
+    const auto pictured = [&](std::uint32_t id)
+    {
+        SphereRecord sphere = exact(id);
+        if (snapshot.states[id] == SphereState::running)
+        {
+            sphere.centre = snapshot.origin + snapshot.centres[id].cast<double>();
+        }
+        return sphere;
+    };
+    implementation_->encoder.encode(snapshot, pictured);
     implementation_->add(frame);
 }
 
