@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of sets, sets.csv, and charts of it.
+// The table of sets, sets.csv, and charts of it; and the size curve beside the one that was asked for.
 
 const kMaxPoints = 120; // of a chart; neighbouring sets share a point
 
@@ -46,9 +46,23 @@ function thinned(rows, value) {
   return points;
 }
 
+/** An empty chart: its picture, and where values are in it. `name`: of heights at 0, half and all of `top`. */
+function plane(height, label, [first, last], top, name) {
+  const [width, left, foot] = [320, 46, 18];
+  const x = (value) => (left + (width - left - 8) * (value - first) / Math.max(last - first, 1e-300)).toFixed(1);
+  const y = (value) => (height - foot - (height - foot - 8) * value / top).toFixed(1);
+  const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": label });
+  for (const value of [0, top / 2, top]) {
+    picture.append(svg("line", { class: "rule", x1: left, x2: width - 8, y1: y(value), y2: y(value) }));
+    picture.append(svg("text", { x: left - 6, y: Number(y(value)) + 3.5, "text-anchor": "end" }, name(value)));
+  }
+  const mark = (value, anchor, text) =>
+    picture.append(svg("text", { x: x(value), y: height - 4, "text-anchor": anchor }, text));
+  return { picture, x, y, mark };
+}
+
 /** Areas one on another, or a single line. `layers`: [class, value of a row] from below. */
 function chart(title, rows, layers) {
-  const [width, height, left, foot] = [320, 96, 46, 18];
   const sums = new Array(Math.min(rows.length, thinned(rows, () => 0).length)).fill(0);
   const stacked = layers.map(([name, value]) => [name, thinned(rows, value).map((point, i) => {
     sums[i] += point.value;
@@ -56,30 +70,17 @@ function chart(title, rows, layers) {
   })]);
   const top = roundUp(Math.max(1e-9, ...sums));
   const lastSet = Math.max(1, rows[rows.length - 1].set);
-  const x = (set) => (left + (width - left - 8) * set / lastSet).toFixed(1);
-  const y = (value) => (height - foot - (height - foot - 8) * value / top).toFixed(1);
-  const picture = svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img",
-    "aria-label": `${title}, by set; the table has the numbers` });
-  rules(picture, left, width - 8, (share) => y(share * top), (share) => readable(share * top));
+  const { picture, x, y, mark } =
+    plane(96, `${title}, by set; the table has the numbers`, [0, lastSet], top, readable);
   for (const [name, points] of stacked.reverse()) {
     const path = points.map((point) => `${x(point.set)} ${y(point.value)}`).join("L");
     picture.append(layers.length > 1
       ? svg("path", { class: name, d: `M${x(0)} ${y(0)}L${path}L${x(points[points.length - 1].set)} ${y(0)}Z` })
       : svg("path", { class: `${name} line`, d: `M${path}` }));
   }
-  for (const set of new Set([0, lastSet])) {
-    picture.append(svg("text", { x: x(set), y: height - 4, "text-anchor": set ? "end" : "start" },
-      set ? `set ${set}` : "0"));
-  }
+  mark(0, "start", "0");
+  mark(lastSet, "end", `set ${lastSet}`);
   return figureOf(title, picture);
-}
-
-/** Lines across a chart at 0, half and all of its height, with what they stand for. */
-function rules(picture, left, right, y, name) {
-  for (const share of [0, 0.5, 1]) {
-    picture.append(svg("line", { class: "rule", x1: left, x2: right, y1: y(share), y2: y(share) }));
-    picture.append(svg("text", { x: left - 6, y: Number(y(share)) + 3.5, "text-anchor": "end" }, name(share)));
-  }
 }
 
 function figureOf(title, picture) {
@@ -131,4 +132,34 @@ function tableOf(rows, columns) {
     }
   }
   return table;
+}
+
+/** Both cumulative curves by mass, with a point at each sieve. */
+function sizesChart(points) {
+  const [first, last] = [points[0].radius, points[points.length - 1].radius];
+  const { picture, x, y, mark } =
+    plane(120, "Share of the mass up to a radius: a line as asked, points as achieved", [first, last], 1,
+      (share) => `${100 * share} %`);
+  const asked = points.map((point) => `${x(point.radius)} ${y(point.asked_by_mass)}`).join("L");
+  picture.append(svg("path", { class: "plain line", d: `M${asked}` }));
+  for (const point of points) {
+    picture.append(svg("circle", { class: "frozen", cx: x(point.radius), cy: y(point.by_mass), r: 2.5 }));
+  }
+  mark(first, "start", readable(first));
+  mark(last, "end", readable(last));
+  return picture;
+}
+
+/** Of a run with a size curve; otherwise nothing. */
+function showSizes() {
+  const sizes = facts.summary?.sizes;
+  part("sizes").hidden = !sizes;
+  if (sizes) {
+    part("size-curve").append(figureOf(
+      "Share of the mass up to a radius: line as asked, points as achieved", sizesChart(sizes.points)));
+    fillList(part("size-facts"), [
+      ["Farthest off, of the mass", `${(100 * sizes.deviation).toPrecision(2)} %`],
+      ["At the radius", readable(sizes.at_radius)],
+      ["Allowed until full", sizes.within === null ? "any" : `${readable(100 * sizes.within)} %`]]);
+  }
 }

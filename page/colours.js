@@ -14,8 +14,8 @@ function coloursOfStates(look) {
   return [look.running, look.frozen, look.discarded, look.running].map(packed);
 }
 
-/** Colours of all spheres of the film's frame, into `colours`. */
-function colourSpheres(film, by, look, colours) {
+/** The colour of each sphere of the film's frame, as a function of its number. */
+function coloursOf(film, by, look) {
   const ofState = coloursOfStates(look);
   const scale = Uint32Array.from(scaleOf(look), packed);
   const { low, high, of } = facts.colours.find((each) => each.by === by);
@@ -32,12 +32,12 @@ function colourSpheres(film, by, look, colours) {
     height: (id) => fromScale(height(film, id)),
     radius: (id) => fromScale(facts.film.radius_step * film.values.radius[id]),
   }[by] ?? ((id) => fromScale(film.values[by][id]));
-  for (let id = 0; id < film.spheres; ++id) {
+  return (id) => {
     const state = film.states[id];
     const rests = state === kFrozen || state === kDiscarded;
     const isMeant = of === "all" || (of === "resting") === rests;
-    colours[id] = isMeant ? valueOf(id) : state === kFrozen ? resting : ofState[state];
-  }
+    return isMeant ? valueOf(id) : state === kFrozen ? resting : ofState[state];
+  };
 }
 
 /** The height of a sphere above the object's foot [mesh unit], as the mesh stands. */

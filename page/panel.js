@@ -46,7 +46,6 @@ function showErrors() {
     ["Centres outside", readable(error.centres_outside)],
     ["At rest without support", readable(error.unsupported_frozen)],
     ["Energy gained", readable(error.energy_gain)],
-    ["Discards restored", readable(error.restored_discards)],
     ["Share of the volume in spheres", `${(100 * error.packing_fraction).toFixed(1)} %`]] : [];
   const joint = error?.equilibrium;
   if (joint) {

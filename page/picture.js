@@ -34,63 +34,53 @@ class Picture {
       describe();
       gl.enableVertexAttribArray(attribute);
     });
-    this.instances = new Float32Array(0);
+    // A corner for each vertex: a software renderer takes 30 us for each instance of four vertices.
+    this.places = new Float32Array(0);
     this.words = new Uint32Array(0); // the states, and how the spheres have turned
     this.colours = new Uint32Array(0);
-    // A corner for each vertex: a software renderer takes 30 us for each instance of four vertices.
-    this.corners = { places: new Float32Array(0), words: new Uint32Array(0), colours: new Uint32Array(0) };
     this.indices = gl.createBuffer();
     this.squares = new Uint32Array(0);
   }
 
-  /** Places and states of the frame, in unit space, without the spheres that wait. */
+  /** Gives the driver places and states of the frame, in unit space, without the spheres that wait. */
   takeFrame() {
-    const { film, gl } = this;
-    this.instances = grown(this.instances, 4 * film.spheres);
-    this.words = grown(this.words, film.spheres);
-    let at = 0;
+    const { film } = this;
+    this.places = grown(this.places, 16 * film.spheres);
+    this.words = grown(this.words, 4 * film.spheres);
+    let at = 0; // of the first of four corners
     for (let id = 0; id < film.spheres; ++id) {
       if (film.states[id] !== kWaits) {
-        putInUnitSpace(film, id, this.instances, 4 * at);
-        this.words[at++] = stateWord(film, id);
+        putInUnitSpace(film, id, this.places, 4 * at);
+        for (let k = 4 * at + 4; k < 4 * at + 16; ++k) {
+          this.places[k] = this.places[k - 4];
+        }
+        const word = stateWord(film, id);
+        for (const end = at + 4; at < end; ++at) {
+          this.words[at] = word;
+        }
       }
     }
-    this.count = at;
+    this.count = at / 4;
+    this.fill(0, this.places.subarray(0, 4 * at));
+    this.fill(1, this.words.subarray(0, at));
+    this.makeSquares();
     this.shell.setPolygons(film.polygons);
   }
 
   takeColours() {
     const { film, view } = this;
-    this.colours = grown(this.colours, film.spheres);
-    colourSpheres(film, view.colourBy, view.look, this.colours);
+    this.colours = grown(this.colours, 4 * film.spheres);
+    const colourOf = coloursOf(film, view.colourBy, view.look);
     let at = 0;
     for (let id = 0; id < film.spheres; ++id) {
       if (film.states[id] !== kWaits) {
-        this.colours[at++] = this.colours[id];
+        const colour = colourOf(id);
+        for (const end = at + 4; at < end; ++at) {
+          this.colours[at] = colour;
+        }
       }
     }
-  }
-
-  /** Gives the driver the corners of all spheres. */
-  putCorners() {
-    const { corners, instances, words, colours, count } = this;
-    corners.places = grown(corners.places, 16 * count);
-    corners.words = grown(corners.words, 4 * count);
-    corners.colours = grown(corners.colours, 4 * count);
-    for (let i = 0; i < count; ++i) {
-      for (let at = 4 * i; at < 4 * i + 4; ++at) {
-        corners.places[4 * at] = instances[4 * i];
-        corners.places[4 * at + 1] = instances[4 * i + 1];
-        corners.places[4 * at + 2] = instances[4 * i + 2];
-        corners.places[4 * at + 3] = instances[4 * i + 3];
-        corners.words[at] = words[i];
-        corners.colours[at] = colours[i];
-      }
-    }
-    this.fill(0, corners.places.subarray(0, 16 * count));
-    this.fill(1, corners.words.subarray(0, 4 * count));
-    this.fill(2, corners.colours.subarray(0, 4 * count));
-    this.makeSquares();
+    this.fill(2, this.colours.subarray(0, at));
   }
 
   /** Of each square two triangles. */
@@ -144,16 +134,12 @@ class Picture {
     if (isNew) {
       this.takeFrame();
     }
-    const isColoured = isNew || shown.colourBy !== view.colourBy || shown.look !== view.look;
-    if (isColoured) {
+    if (isNew || shown.colourBy !== view.colourBy || shown.look !== view.look) {
       this.takeColours();
     }
     Object.assign(shown, { frame: film.at, colourBy: view.colourBy, look: view.look });
     const looked = camera.look(film.pose());
     const planes = cutPlanes(view.cut, looked.view);
-    if (isColoured) {
-      this.putCorners();
-    }
     gl.bindFramebuffer(gl.FRAMEBUFFER, this.frame);
     gl.viewport(0, 0, ...this.drawnSize);
     const ground = bytesToUnit(opaque(view.look.background));
@@ -168,7 +154,6 @@ class Picture {
 
   drawSpheres(looked, ground, planes) {
     const { gl, view: { look } } = this;
-    const strokes = this.strokes();
     this.programs.get("sphere", { ...look, fading_lines: false }, planes !== null).use({
       view: looked.view,
       projection: looked.projection,
@@ -179,7 +164,7 @@ class Picture {
       supersample: this.times,
       haze: look.haze,
       background: ground.slice(0, 3),
-      outlineWidth: strokes.line,
+      outlineWidth: this.lineWidth(),
       cutPlanes: planes ?? new Array(8).fill(0),
     });
     gl.enable(gl.DEPTH_TEST);
@@ -194,7 +179,7 @@ class Picture {
       this.shell.lookFrom(looked.eyeOfObject);
       this.shown.eye = eye;
     }
-    const strokes = this.strokes();
+    const lineWidth = this.lineWidth();
     const active = bytesToUnit(look.active_polygon);
     const discarded = bytesToUnit(look.discarded_polygon);
     discarded[3] = Math.min(1, discarded[3] * shell / Math.max(active[3], 1 / 255));
@@ -206,19 +191,18 @@ class Picture {
       discardedColour: discarded,
       activeInk: look.active_ink,
       discardedInk: look.discarded_ink,
-      lineWidth: strokes.line,
+      lineWidth,
       pixelLength: 2 / (looked.projection[5] * this.drawnSize[1]),
-      edgeFade: scaled(facts.strokes.fade, strokes.line),
+      edgeFade: scaled(facts.strokes.fade, lineWidth),
       cutPlanes: planes ?? new Array(8).fill(0),
     });
     this.shell.draw();
   }
 
-  /** Widths of lines grow with the picture [pixel of the one that is drawn]. */
-  strokes() {
-    const edge = Math.min(...this.drawnSize);
-    const width = ([pixels, share]) => Math.max(pixels * this.times, share * edge);
-    return { line: width(facts.strokes.line) };
+  /** The width of lines, which grows with the picture [pixel of the one that is drawn]. */
+  lineWidth() {
+    const [pixels, share] = facts.strokes.line;
+    return Math.max(pixels * this.times, share * Math.min(...this.drawnSize));
   }
 
   /** Averages the large picture into the canvas. */

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -227,12 +226,7 @@ int Video::close()
     {
         ::close(std::exchange(socket_, -1));
     }
-    int status = -1;
-    while (process_ > 0 && ::waitpid(process_, &status, 0) < 0 && errno == EINTR)
-    {
-    }
-    process_ = -1;
-    return status;
+    return process_ > 0 ? exitCodeOf(waitFor(std::exchange(process_, -1))) : -1;
 }
 
 std::string Video::complaint() const
@@ -266,9 +260,8 @@ void Video::finish()
     {
         return;
     }
-    const int status = close();
     std::error_code problem;
-    const bool encoded = !failed_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    const bool encoded = close() == 0 && !failed_;
     std::optional<std::string> failure = encoded ? std::nullopt : std::optional(complaint());
     if (encoded && isGif(file_))
     {

@@ -41,7 +41,7 @@ private:
     void create();
     void start(const Image& image);
     void send(const Image& image);
-    /// Ends the connection and returns ffmpeg's exit status.
+    /// Ends the connection and returns ffmpeg's exit code.
     int close();
     /// What ffmpeg has said last.
     [[nodiscard]] std::string complaint() const;

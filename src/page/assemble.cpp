@@ -76,8 +76,7 @@ std::string scripts()
          {embedded::page_data_js(), embedded::page_film_js(), embedded::page_camera_js(),
           embedded::page_colours_js(), embedded::page_programs_js(), embedded::page_shell_js(),
           embedded::page_picture_js(), embedded::page_timeline_js(), embedded::page_gestures_js(),
-          embedded::page_charts_js(), embedded::page_sizes_js(), embedded::page_panel_js(),
-          embedded::page_main_js()})
+          embedded::page_charts_js(), embedded::page_panel_js(), embedded::page_main_js()})
     {
         all += file;
     }

@@ -146,19 +146,16 @@ private:
     {
         nlohmann::ordered_json facts =
             pageFacts(reader_, head_, view_, shell_, film.snapshot().columns, sets_);
-        facts["film"] = {{"step", rounding_.grid},
-                         {"radius_step", rounding_.radiusStep()},
-                         {"error_over_radius", rounding_.grid / 2 / smallest_},
-                         {"fastest", fastest_},
-                         {"spheres", spheres_},
-                         {"frames", numbers},
-                         {"kept", kept}};
-        for (const StreamColumn& column : kStreamColumns)
-        {
-            facts["film"]["columns"][column.name] =
-                column.changes == ColumnChanges::never ? "never" : "running";
-        }
-        facts["film"]["carried"] = nlohmann::ordered_json::object();
+        facts["film"] = {
+            {"step", rounding_.grid},
+            {"radius_step", rounding_.radiusStep()},
+            {"error_over_radius", rounding_.grid / 2 / smallest_},
+            {"fastest", fastest_},
+            {"spheres", spheres_},
+            {"frames", numbers},
+            {"kept", kept},
+            {"columns", {{"radius", "never"}, {"group", "never"}, {"speed", "running"}}},
+            {"carried", nlohmann::ordered_json::object()}};
         for (const ColumnValues& values : film.snapshot().columns)
         {
             const Column& column = values.column();

@@ -24,31 +24,13 @@ namespace frostfill
 namespace
 {
 
-/// The frames of a run file as the recorder saw them: those of the animation, and behind them, once
-/// the run has ended, the last state under the next number. That is nearly always the state of the
-/// last frame once more.
-class KeptFrames
+/// Frames of the animation in a run file. Behind them, once the run has ended, is the last state
+/// under the next number: nearly always the state of the last frame once more. In a run that has
+/// not ended, the last of them shows it.
+std::size_t framesOf(const RunFileReader& reader)
 {
-public:
-    explicit KeptFrames(RunFileReader& reader)
-        : reader_(reader), numbers_(reader.frames()), ended_(reader.summary().has_value())
-    {
-    }
-
-    /// Frames of the animation.
-    [[nodiscard]] std::size_t count() const { return numbers_.size() - (ended_ ? 1 : 0); }
-    [[nodiscard]] std::size_t number(std::size_t index) const { return numbers_[index]; }
-    /// Of the last state; in a run that has not ended, the last of them shows it.
-    [[nodiscard]] std::size_t lastNumber() const { return numbers_.back(); }
-    /// See RunFileReader::seek; index count() is that of the last state of a run that has ended.
-    [[nodiscard]] const Snapshot& state(std::size_t index) { return reader_.seek(index); }
-    [[nodiscard]] const Snapshot& last() { return state(numbers_.size() - 1); }
-
-private:
-    RunFileReader& reader_;
-    const std::vector<std::size_t>& numbers_;
-    bool ended_;
-};
+    return reader.frames().size() - (reader.summary() ? 1 : 0);
+}
 
 /// The scene that is drawn. Says whether the request moves the camera, rather than the run.
 Scene sceneOf(const RenderRequest& request, const RunHead& head, bool& moves)
@@ -75,19 +57,19 @@ Scene sceneOf(const RenderRequest& request, const RunHead& head, bool& moves)
 }
 
 /// Counts the frames that are selected. Throws Error usage when there is none.
-std::size_t selectedFrames(const Scene& scene, const KeptFrames& frames, PicturePlan counted)
+std::size_t selectedFrames(const Scene& scene, const RunFileReader& reader, PicturePlan counted)
 {
-    for (std::size_t i = 0; i < frames.count(); ++i)
+    for (std::size_t i = 0; i < framesOf(reader); ++i)
     {
-        counted.pass(frames.number(i));
+        counted.pass(reader.frames()[i]);
     }
-    counted.passLast(frames.lastNumber());
+    counted.passLast(reader.frames().back());
     if (counted.selected() == 0)
     {
         throw Error(ErrorCode::usage,
                     fmt::format("--frames {} leaves no frame: the frames of the run file have the "
                                 "numbers 0 to {}",
-                                scene.frames.selection, frames.lastNumber()));
+                                scene.frames.selection, reader.frames().back()));
     }
     return counted.selected();
 }
@@ -108,20 +90,19 @@ std::size_t strideOf(const Scene& scene, const RunHead& head, std::size_t select
 void planAll(PicturePlan& plan, const std::filesystem::path& file)
 {
     RunFileReader reader(file);
-    const KeptFrames frames(reader);
-    for (std::size_t i = 0; i < frames.count(); ++i)
+    const std::vector<std::size_t>& numbers = reader.frames();
+    for (std::size_t i = 0; i < framesOf(reader); ++i)
     {
-        plan.wants(frames.number(i)) ? void(plan.take(frames.number(i), i))
-                                     : plan.pass(frames.number(i));
+        plan.wants(numbers[i]) ? void(plan.take(numbers[i], i)) : plan.pass(numbers[i]);
     }
-    if (plan.wantsLast(frames.lastNumber()))
+    if (plan.wantsLast(numbers.back()))
     {
-        const std::size_t last = reader.frames().size() - 1;
+        const std::size_t last = numbers.size() - 1;
         const std::size_t kept = plan.keptState().value_or(last);
         (void)reader.seek(kept);
         const std::uint64_t revision = reader.revision();
         (void)reader.seek(last);
-        plan.finish(frames.lastNumber(), reader.revision() == revision ? kept : last, {},
+        plan.finish(numbers.back(), reader.revision() == revision ? kept : last, {},
                     [](const PicturePlan::Picture&) {});
     }
 }
@@ -178,7 +159,7 @@ RenderResult resultOf(RunFileReader& reader, const std::filesystem::path& direct
     result.ended = reader.summary().has_value();
     result.wholeBytes = reader.wholeBytes();
     result.fileBytes = reader.fileBytes();
-    result.keptFrames = KeptFrames(reader).count();
+    result.keptFrames = framesOf(reader);
     return result;
 }
 
@@ -205,9 +186,10 @@ std::filesystem::path directoryOf(const RenderRequest& request, const std::files
 }
 
 /// Draws all frames, about as many pictures as are expected. Returns whether it was stopped.
-bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames,
-                std::size_t expected, const RenderObserver& observer)
+bool drawFrames(FramePainter& painter, RunFileReader& reader, std::size_t expected,
+                const RenderObserver& observer)
 {
+    const std::vector<std::size_t>& numbers = reader.frames();
     std::size_t done = 0;
     const auto progressed = [&]
     {
@@ -217,19 +199,20 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
             observer.progressed(done, std::max(done, expected));
         }
     };
-    for (std::size_t i = 0; i < frames.count(); ++i)
+    for (std::size_t i = 0; i < framesOf(reader); ++i)
     {
         if (observer.stopRequested && observer.stopRequested())
         {
             return true;
         }
-        if (!painter.wants(frames.number(i)))
+        if (!painter.wants(numbers[i]))
         {
-            painter.pass(frames.number(i));
+            painter.pass(numbers[i]);
             continue;
         }
         const std::size_t leftOut = painter.drawn().leftOut();
-        painter.take(frames.number(i), {&frames.state(i), reader.revision()});
+        const Snapshot& state = reader.seek(i);
+        painter.take(numbers[i], {&state, reader.revision()});
         painter.wait();
         if (painter.drawn().leftOut() == leftOut)
         {
@@ -238,12 +221,12 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, KeptFrames& frames
         progressed();
     }
     FramePainter::State last;
-    if (painter.wantsLast(frames.lastNumber()))
+    if (painter.wantsLast(numbers.back()))
     {
-        const Snapshot& state = frames.last();
+        const Snapshot& state = reader.seek(numbers.size() - 1);
         last = {&state, reader.revision()};
     }
-    painter.finish(frames.lastNumber(), last, progressed);
+    painter.finish(numbers.back(), last, progressed);
     return false;
 }
 
@@ -261,12 +244,11 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     requireOneProcess(request);
     const std::filesystem::path directory = directoryOf(request, file);
     const std::optional<CameraPath> path = CameraPath::of(scene);
-    KeptFrames frames(reader);
     // A run of one state is its turn.
     const std::size_t turn =
-        moves || frames.lastNumber() == 0 ? turnFrames(scene, path ? path->duration() : 0) : 0;
+        moves || reader.frames().back() == 0 ? turnFrames(scene, path ? path->duration() : 0) : 0;
     PicturePlan pictures(scene, turn);
-    const std::size_t selected = selectedFrames(scene, frames, pictures);
+    const std::size_t selected = selectedFrames(scene, reader, pictures);
     pictures.keepEvery(strideOf(scene, head, selected));
     const bool isPart = request.shard.count > 1 || request.gather;
     if (isPart || request.dryRun)
@@ -305,8 +287,7 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
 
     RenderResult result = resultOf(reader, directory);
     const std::size_t stride = request.video.empty() ? pictures.stride() : 1;
-    result.stopped =
-        drawFrames(painter, reader, frames, (selected + stride - 1) / stride, observer);
+    result.stopped = drawFrames(painter, reader, (selected + stride - 1) / stride, observer);
     result.allFrames = painter.count();
     const DrawnPictures& drawn = painter.drawn();
     result.frames = painter.count() - drawn.others;

@@ -14,13 +14,6 @@ namespace
 /// In the flags of a frame: its pose follows.
 constexpr std::uint64_t kHasPose = 1;
 
-enum : std::size_t // columns
-{
-    kRadius,
-    kGroup,
-    kSpeed,
-};
-
 } // namespace
 
 FrameCodec::FrameCodec(const Rounding& rounding, const Eigen::Vector3d& origin,
@@ -60,7 +53,7 @@ void FrameCodec::setState(std::uint32_t id, std::uint64_t state)
     {
         ++snapshot_.count(snapshot_.states[id]);
     }
-    setValue(kSpeed, id, 0);
+    snapshot_.speeds[id] = 0;
 }
 
 void FrameCodec::resize(std::size_t count)
@@ -88,37 +81,10 @@ Eigen::Vector3d FrameCodec::centreOf(const Place& place) const
                                             static_cast<double>(place[2]));
 }
 
-std::int64_t FrameCodec::valueOf(const Given& given, std::size_t column, std::uint32_t id) const
+std::int64_t FrameCodec::speedOf(const Given& given, std::uint32_t id) const
 {
     const std::vector<float>& speeds = given.snapshot.speeds;
-    return column == kRadius    ? rounding_.radius(given.exact(id).radius)
-           : column == kGroup   ? given.snapshot.groups[id]
-           : id < speeds.size() ? rounding_.speed(speeds[id])
-                                : 0;
-}
-
-std::int64_t FrameCodec::value(std::size_t column, std::uint32_t id) const
-{
-    return column == kRadius  ? rounding_.radius(radii_[id])
-           : column == kGroup ? snapshot_.groups[id]
-                              : rounding_.speed(snapshot_.speeds[id]);
-}
-
-void FrameCodec::setValue(std::size_t column, std::uint32_t id, std::int64_t value)
-{
-    if (column == kRadius)
-    {
-        radii_[id] = rounding_.radiusOf(value);
-        snapshot_.radii[id] = static_cast<float>(radii_[id]);
-    }
-    else if (column == kGroup)
-    {
-        snapshot_.groups[id] = static_cast<std::uint32_t>(value);
-    }
-    else
-    {
-        snapshot_.speeds[id] = rounding_.speedOf(value);
-    }
+    return id < speeds.size() ? rounding_.speed(speeds[id]) : 0;
 }
 
 template <typename Bytes>
@@ -272,31 +238,31 @@ void FrameCodec::goThroughPlaces(Named<Bytes>& streams, const Given* given)
     addTracks(renewed_);
 }
 
+// Radius and group of the renewed, and the speed of what runs.
 template <typename Bytes>
 void FrameCodec::goThroughValues(Named<Bytes>& streams, const Given* given)
 {
-    const auto passValue = [&](Bytes& stream, std::size_t k, std::uint32_t id, std::int64_t before)
+    Bytes& radii = streams["radius"];
+    Bytes& groups = streams["group"];
+    Bytes& speeds = streams["speed"];
+    for (const std::uint32_t id : renewed_)
     {
-        std::int64_t now = given != nullptr ? valueOf(*given, k, id) : 0;
-        stream.pass(now, before);
-        setValue(k, id, now);
-        return now;
-    };
-    for (std::size_t k = 0; k < kStreamColumns.size(); ++k)
+        std::int64_t radius = given != nullptr ? rounding_.radius(given->exact(id).radius) : 0;
+        radii.pass(radius, renewedRadius_);
+        renewedRadius_ = radius;
+        radii_[id] = rounding_.radiusOf(radius);
+        snapshot_.radii[id] = static_cast<float>(radii_[id]);
+        std::int64_t group = given != nullptr ? given->snapshot.groups[id] : 0;
+        groups.pass(group, renewedGroup_);
+        renewedGroup_ = group;
+        snapshot_.groups[id] = static_cast<std::uint32_t>(group);
+    }
+    for (const Track& track : tracks_)
     {
-        Bytes& stream = streams[kStreamColumns[k].name];
-        if (kStreamColumns[k].changes == ColumnChanges::never)
-        {
-            for (const std::uint32_t id : renewed_)
-            {
-                renewedValues_[k] = passValue(stream, k, id, renewedValues_[k]);
-            }
-            continue;
-        }
-        for (const Track& track : tracks_)
-        {
-            passValue(stream, k, track.id, value(k, track.id));
-        }
+        float& known = snapshot_.speeds[track.id];
+        std::int64_t speed = given != nullptr ? speedOf(*given, track.id) : 0;
+        speeds.pass(speed, rounding_.speed(known));
+        known = rounding_.speedOf(speed);
     }
 }
 
@@ -518,12 +484,8 @@ void FrameEncoder::sortChange(std::uint32_t id, const Given& given)
         isNew = rounding_.exact && rests(now) ? centre != centres_[id]
                                               : placeOf(centre) != placeOf(centres_[id]);
     }
-    for (std::size_t k = 0; k < kStreamColumns.size(); ++k)
-    {
-        isNew = isNew || (kStreamColumns[k].changes == ColumnChanges::never &&
-                          valueOf(given, k, id) != value(k, id));
-    }
-    if (isNew)
+    if (isNew || given.snapshot.groups[id] != snapshot_.groups[id] ||
+        rounding_.radius(given.exact(id).radius) != rounding_.radius(radii_[id]))
     {
         renewed_.push_back(id);
     }

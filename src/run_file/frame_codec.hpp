@@ -18,17 +18,6 @@ namespace frostfill
     return !pose.rotation.isIdentity(0) || !pose.offset.isZero(0);
 }
 
-/// A column of spheres in a stream of frames, beside state and place: with each new sphere if it
-/// never changes, or else with every frame in which the sphere runs. Otherwise it is 0.
-struct StreamColumn
-{
-    const char* name;
-    ColumnChanges changes;
-};
-inline constexpr std::array<StreamColumn, 3> kStreamColumns = {{{"radius", ColumnChanges::never},
-                                                                {"group", ColumnChanges::never},
-                                                                {"speed", ColumnChanges::running}}};
-
 /// The stream of a carried column, which has its type behind its name.
 [[nodiscard]] std::string streamOf(const Column& column);
 
@@ -67,9 +56,7 @@ protected:
     template <typename Bytes>
     void goThrough(Named<Bytes>& streams, const Given* given);
     [[nodiscard]] std::uint64_t stateOf(const Given& given, std::uint32_t id) const;
-    [[nodiscard]] std::int64_t valueOf(const Given& given, std::size_t column,
-                                       std::uint32_t id) const;
-    [[nodiscard]] std::int64_t value(std::size_t column, std::uint32_t id) const;
+    [[nodiscard]] std::int64_t speedOf(const Given& given, std::uint32_t id) const;
     [[nodiscard]] std::uint64_t state(std::uint32_t id) const;
     [[nodiscard]] static bool rests(std::uint64_t state)
     {
@@ -108,12 +95,12 @@ private:
                                                        const Given& given) const;
     void addTracks(const std::vector<std::uint32_t>& ids);
     void setState(std::uint32_t id, std::uint64_t state);
-    void setValue(std::size_t column, std::uint32_t id, std::int64_t value);
 
     std::array<std::int64_t, 6> facts_{};
     std::vector<Track> tracks_; ///< by ascending id
-    Place renewedPlace_{};      ///< of the last one that was, and its values
-    std::array<std::int64_t, kStreamColumns.size()> renewedValues_{};
+    Place renewedPlace_{};      ///< of the last one that was
+    std::int64_t renewedRadius_ = 0;
+    std::int64_t renewedGroup_ = 0;
 };
 
 class FrameEncoder : public FrameCodec

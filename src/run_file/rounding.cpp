@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace frostfill
 {
@@ -28,19 +27,6 @@ std::int64_t Rounding::place(double coordinate) const
     return std::isfinite(coordinate)
                ? std::llround(std::clamp(coordinate / grid, -furthest, furthest))
                : 0;
-}
-
-ExactSphere asPictured(const Snapshot& snapshot, ExactSphere exact)
-{
-    return [&snapshot, exact = std::move(exact)](std::uint32_t id)
-    {
-        SphereRecord sphere = exact(id);
-        if (snapshot.states[id] == SphereState::running)
-        {
-            sphere.centre = snapshot.origin + snapshot.centres[id].cast<double>();
-        }
-        return sphere;
-    };
 }
 
 void roundPlaces(Snapshot& snapshot, double smallestRadius, const ExactSphere& exact)

@@ -16,9 +16,6 @@ namespace frostfill
 /// default. [mesh unit]
 [[nodiscard]] double gridOf(double smallestRadius, double stepsInARadius = 10000);
 
-/// What is kept of spheres that are `exact`: those that run are where the snapshot has them.
-[[nodiscard]] ExactSphere asPictured(const Snapshot& snapshot, ExactSphere exact);
-
 /// The numbers of spheres as whole ones, as a stream of frames keeps them.
 struct Rounding
 {

@@ -17,8 +17,8 @@ globalThis.document = { getElementById: (id) => elements[id] };
 // The script is made of files that begin alike; the first four ask the browser for nothing else.
 const script = page.match(/<script type="module">(.*?)<\/script>/s)[1];
 const files = script.split("// SPDX-License-Identifier: MIT\n").slice(1, 5);
-const { facts, unpackSections, Film, Camera, poseMatrix, colourSpheres, stateWord } = new Function(
-  `${files.join("")}; return { facts, unpackSections, Film, Camera, poseMatrix, colourSpheres, stateWord };`)();
+const { facts, unpackSections, Film, Camera, poseMatrix, coloursOf, stateWord } = new Function(
+  `${files.join("")}; return { facts, unpackSections, Film, Camera, poseMatrix, coloursOf, stateWord };`)();
 
 const sections = await unpackSections();
 const film = new Film(sections);
@@ -93,17 +93,19 @@ for (let index = 0; index < frames; ++index) {
 
 // Colours are the bytes red, green, blue, 255, in this order in memory.
 film.seek(frames - 1);
-const colours = new Uint32Array(film.spheres);
 const look = facts.looks[facts.look];
-colourSpheres(film, "state", look, colours);
+const colourBytesOf = (by) => {
+  const colourOf = coloursOf(film, by, look);
+  return new Uint8Array(Uint32Array.from({ length: film.spheres }, (_, id) => colourOf(id)).buffer);
+};
 const names = ["running", "frozen", "discarded", "running"];
-const bytes = new Uint8Array(colours.buffer);
+let bytes = colourBytesOf("state");
 for (let i = 0; i < film.spheres; ++i) {
   assert.deepEqual(Array.from(bytes.subarray(4 * i, 4 * i + 4)),
     [...look[names[film.states[i]]].slice(0, 3), 255]);
 }
 const ofGroups = facts.colours.find(({ by }) => by === "group");
-colourSpheres(film, "group", look, colours);
+bytes = colourBytesOf("group");
 for (let i = 0; i < film.spheres; ++i) {
   const share = Math.min(1, film.values.group[i] / ofGroups.high);
   assert.deepEqual(Array.from(bytes.subarray(4 * i, 4 * i + 3)),
