@@ -148,5 +148,10 @@ struct FillResult
 /// Throws Error inputMissing or badData.
 [[nodiscard]] Scene loadRunScene(const std::filesystem::path& file);
 
+/// The table with which `frostfill fill` ends: frames a second, and milliseconds a frame for each
+/// stage. A row a set and one for all; sets share rows when there are more than `mostRows`. Empty
+/// without sets.
+[[nodiscard]] std::string setTableText(const FillResult& result, std::size_t mostRows = 24);
+
 } // namespace frostfill
 #pragma GCC visibility pop

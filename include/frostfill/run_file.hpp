@@ -20,6 +20,13 @@ namespace frostfill
 /// The file of a run that is named by its file or its directory. Throws Error inputMissing.
 [[nodiscard]] std::filesystem::path fileOfRun(const std::filesystem::path& run);
 
+/// What is done with a run file that is there.
+enum class EarlierFile
+{
+    replace,   ///< it goes as soon as the new one has its head and its mesh
+    continued, ///< what is equal stays; from the first difference on it is written anew
+};
+
 /// A sphere's radius, and its place if it is at rest, exact [mesh unit].
 using ExactSphere = std::function<SphereRecord(std::uint32_t id)>;
 
@@ -32,11 +39,12 @@ void roundPlaces(Snapshot& snapshot, double smallestRadius, const ExactSphere& e
 class RunFileWriter
 {
 public:
-    /// Begins a new file, in place of one that is there. `head` describes the run, as JSON; `smallestRadius` [mesh unit] sets how
+    /// Begins a new file. `head` describes the run, as JSON; `smallestRadius` [mesh unit] sets how
     /// finely places of moving spheres are kept. The file appears with its head and its mesh.
     /// Throws Error cannotCreate or writeFailed.
     RunFileWriter(const std::filesystem::path& file, std::string_view head,
-                  const TriangleMesh& mesh, double smallestRadius);
+                  const TriangleMesh& mesh, double smallestRadius,
+                  EarlierFile earlier = EarlierFile::replace);
     ~RunFileWriter();
     RunFileWriter(const RunFileWriter&) = delete;
     RunFileWriter& operator=(const RunFileWriter&) = delete;

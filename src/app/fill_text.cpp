@@ -144,6 +144,7 @@ void printPlan(const FillRequest& request, const FillPlan& plan)
 
 void printResult(const Scene& scene, const FillResult& result)
 {
+    fmt::print("{}", setTableText(result));
     if (result.stopped)
     {
         // How many fill an object is known roughly, and may be less than are there.

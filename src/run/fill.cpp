@@ -257,6 +257,20 @@ void enterPictures(const FillRequest& request, const FramePainter& painter, std:
     result.renderer = painter.drawn().renderer;
 }
 
+/// Null if no frames are wanted.
+std::unique_ptr<FrameRecorder> stoppableRecorder(const FillRequest& request, const LoadedMesh& mesh,
+                                                 const Simulation& simulation,
+                                                 const std::optional<CameraPath>& path,
+                                                 const FillObserver& observer)
+{
+    std::unique_ptr<FrameRecorder> recorder = makeRecorder(request, mesh, simulation, path);
+    if (recorder)
+    {
+        recorder->stopWhen(observer.stopRequested);
+    }
+    return recorder;
+}
+
 /// Shows the last state, of a run that has come to its end.
 void drawTheRest(FrameRecorder& recorder, const RunState& last, const Simulation& simulation,
                  const FillObserver& observer, std::size_t pictures)
@@ -341,7 +355,7 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     {
         begun.emplace(request, mesh, simulation, isNew);
     }
-    const auto recorder = makeRecorder(request, mesh, simulation, path, observer.stopRequested);
+    const auto recorder = stoppableRecorder(request, mesh, simulation, path, observer);
     FillResult result;
     result.reach = reachOf(simulation);
     clock.end("preparing");

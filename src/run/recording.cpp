@@ -250,8 +250,7 @@ FramePlan planPictures(const Scene& all, const LoadedMesh& mesh, const RunLength
 
 std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const LoadedMesh& mesh,
                                             const Simulation& simulation,
-                                            const std::optional<CameraPath>& path,
-                                            std::function<bool()> stopRequested)
+                                            const std::optional<CameraPath>& path)
 {
     const Scene& scene = request.scene;
     if (!sceneWithFrames(scene).frames.enabled)
@@ -269,7 +268,6 @@ std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const Lo
     auto recorder = std::make_unique<FrameRecorder>(std::move(painter), simulation.smallestRadius(),
                                                     framesToDraw(scene).isLastOnly());
     recorder->carry(columnsToCarry(scene));
-    recorder->stopWhen(std::move(stopRequested));
     return recorder;
 }
 
@@ -299,9 +297,10 @@ std::string headOf(const FillRequest& request, const LoadedMesh& mesh, const Sim
 void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
              const Simulation& simulation, const FramePlan& frames)
 {
-    recorder.keepIn(std::make_unique<RunFileWriter>(request.directory / kRunFile,
-                                                    headOf(request, mesh, simulation, frames),
-                                                    mesh.mesh, simulation.smallestRadius()));
+    recorder.keepIn(std::make_unique<RunFileWriter>(
+        request.directory / kRunFile, headOf(request, mesh, simulation, frames), mesh.mesh,
+        simulation.smallestRadius(),
+        request.resume ? EarlierFile::continued : EarlierFile::replace));
 }
 
 // The states of other runs wait beside: a kill leaves what nothing goes on with.

@@ -112,10 +112,11 @@ private:
 [[nodiscard]] bool isKept(const Scene& scene);
 
 /// The recorder of a run, with a painter if it has pictures. Null if no frames are wanted. Throws
-/// Error; see FramePainter. `stopRequested`: see FrameRecorder::stopWhen.
-[[nodiscard]] std::unique_ptr<FrameRecorder>
-makeRecorder(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
-             const std::optional<CameraPath>& path, std::function<bool()> stopRequested);
+/// Error; see FramePainter.
+[[nodiscard]] std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request,
+                                                          const LoadedMesh& mesh,
+                                                          const Simulation& simulation,
+                                                          const std::optional<CameraPath>& path);
 
 /// What the recorder of a run carries besides the columns that every snapshot has.
 [[nodiscard]] std::vector<ColumnValues> columnsToCarry(const Scene& scene);
@@ -129,7 +130,8 @@ makeRecorder(const FillRequest& request, const LoadedMesh& mesh, const Simulatio
 [[nodiscard]] FramePlan planPictures(const Scene& scene, const LoadedMesh& mesh,
                                      const RunLength& length, FrameRecorder* recorder, double path);
 
-/// Begins the run file. Throws Error cannotCreate or writeFailed.
+/// Begins the run file, or continues that of a run that is resumed. Throws Error cannotCreate or
+/// writeFailed.
 void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMesh& mesh,
              const Simulation& simulation, const FramePlan& frames);
 

@@ -4,6 +4,7 @@
 #include "base/atomic_file.hpp"
 #include "bulk/bulk.hpp"
 #include "output/scene_json.hpp"
+#include "run/set_table.hpp"
 #include "scene/frame_selection.hpp"
 
 #include <frostfill/error.hpp>

@@ -40,10 +40,6 @@ struct RunRecord
 /// Writes every file but the frames. Throws Error cannotCreate or writeFailed.
 void writeRunFiles(const RunRecord& run);
 
-/// sets.csv: a row a set, every column. Throws Error cannotCreate or writeFailed.
-void writeSetsCsv(std::span<const SetRecord> sets, std::span<const SetFrames> frames,
-                  const std::filesystem::path& file);
-
 /// Names and versions of the libraries that this program was built with.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> libraryVersions();
 

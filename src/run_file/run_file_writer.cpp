@@ -46,7 +46,46 @@ struct RunFileWriter::Implementation
         throw Error(ErrorCode::writeFailed, writeFailure(file, failure, bytes));
     }
 
-    void write(std::string_view bytes) const
+    /// Opens a file that begins like this one; false for any other.
+    bool reopen(std::string_view start)
+    {
+        descriptor = open(file.c_str(), O_RDWR | O_CLOEXEC);
+        if (descriptor >= 0 && isThere(start))
+        {
+            at += static_cast<off_t>(start.size());
+            return true;
+        }
+        if (descriptor >= 0)
+        {
+            close(std::exchange(descriptor, -1));
+        }
+        return false;
+    }
+
+    /// Whether the bytes are what the file has next.
+    [[nodiscard]] bool isThere(std::string_view bytes) const
+    {
+        std::string there(bytes.size(), '\0');
+        const ssize_t read = pread(descriptor, there.data(), there.size(), at);
+        return read == static_cast<ssize_t>(bytes.size()) && there == bytes;
+    }
+
+    void write(std::string_view bytes)
+    {
+        if (continues && isThere(bytes))
+        {
+            at += static_cast<off_t>(bytes.size());
+            return;
+        }
+        if (std::exchange(continues, false) &&
+            (ftruncate(descriptor, at) != 0 || lseek(descriptor, at, SEEK_SET) != at))
+        {
+            refuse(errno, bytes.size());
+        }
+        append(bytes);
+    }
+
+    void append(std::string_view bytes) const
     {
         const int failure = writeAll(
             descriptor, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
@@ -75,12 +114,14 @@ struct RunFileWriter::Implementation
 
     std::filesystem::path file;
     int descriptor = -1;
+    bool continues = true; ///< what follows may be there already
+    off_t at = 0;          ///< where, if it continues
     FrameEncoder encoder;
     std::vector<std::uint32_t> numbers; ///< of the frames that wait in the encoder
 };
 
 RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view head,
-                             const TriangleMesh& mesh, double smallestRadius)
+                             const TriangleMesh& mesh, double smallestRadius, EarlierFile earlier)
     : implementation_(std::make_unique<Implementation>(
           gridOf(smallestRadius), boundingBox(mesh).center(), mesh.triangles.size()))
 {
@@ -96,14 +137,16 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view
                               packRecord(RecordKind::head, {}, numbers.bytes()) +
                               packRecord(RecordKind::mesh, {}, plyBytes(mesh));
     implementation_->file = file;
-    // A run file has a head from its first moment.
-    AtomicFile fresh(file);
-    fresh.write(start);
-    fresh.commit();
-    implementation_->descriptor = open(file.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
-    if (implementation_->descriptor < 0)
+    if (earlier != EarlierFile::continued || !implementation_->reopen(start))
     {
-        implementation_->refuse(errno, start.size());
+        // A run file has a head from its first moment.
+        AtomicFile fresh(file);
+        fresh.write(start);
+        fresh.commit();
+        if (!implementation_->reopen(start))
+        {
+            implementation_->refuse(errno, start.size());
+        }
     }
 }
 
@@ -141,7 +184,8 @@ void RunFileWriter::finish(std::string_view summary)
     Implementation& it = *implementation_;
     it.writeFrames();
     it.write(packRecord(RecordKind::summary, {}, summary));
-    int failure = syncFile(it.descriptor);
+    int failure = it.continues && ftruncate(it.descriptor, it.at) != 0 ? errno : 0;
+    failure = failure != 0 ? failure : syncFile(it.descriptor);
     const int atEnd = closeFile(std::exchange(it.descriptor, -1));
     failure = failure != 0 ? failure : atEnd;
     if (failure != 0)

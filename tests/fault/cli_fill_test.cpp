@@ -38,6 +38,7 @@ TEST_F(FillCommand, WritesEveryFileIntoItsDirectoryByDefault)
     {
         EXPECT_TRUE(std::filesystem::exists(folder_ / "output/cube" / file)) << file;
     }
+    EXPECT_NE(answer.output.find("frames/s"), std::string::npos) << answer.output;
     EXPECT_NE(answer.errors.find("expecting about"), std::string::npos) << answer.errors;
 
     EXPECT_EQ(run(kEightInTwos + "--frames none").code, 73);

@@ -88,8 +88,8 @@ inline RecordedRun recordWithOracle(const Scene& scene, const std::filesystem::p
                                     const std::string& givenHead = "")
 {
     const nlohmann::ordered_json head = {{"scene", sceneToJson(scene)}};
-    const RecordedRun run =
-        recordRun(scene, folder / "run.frost", 20, givenHead.empty() ? head.dump() : givenHead);
+    const RecordedRun run = recordRun(scene, folder / "run.frost", 20, EarlierFile::replace,
+                                      givenHead.empty() ? head.dump() : givenHead);
     writeOracle(folder, scene.spheres.groupsPerSet);
     return run;
 }

@@ -24,12 +24,13 @@ struct RecordedRun
 
 /// Three snapshots are filled in turn, as by the recorder of pictures; `every` so many steps.
 inline RecordedRun recordRun(const Scene& scene, const std::filesystem::path& file,
-                             std::size_t every = 3, std::string_view head = R"({"name": "test"})")
+                             std::size_t every = 3, EarlierFile earlier = EarlierFile::replace,
+                             std::string_view head = R"({"name": "test"})")
 {
     RecordedRun run;
     run.mesh = loadMesh(scene.object.mesh).mesh;
     Simulation simulation(scene, run.mesh);
-    RunFileWriter writer(file, head, run.mesh, simulation.smallestRadius());
+    RunFileWriter writer(file, head, run.mesh, simulation.smallestRadius(), earlier);
     std::array<Snapshot, 3> snapshots;
     for (Snapshot& snapshot : snapshots)
     {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "run/run_files.hpp"
+#include "run/set_table.hpp"
+
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -34,36 +35,50 @@ std::vector<SetFrames> makeFrames(std::size_t count)
     return std::vector<SetFrames>(count, {{10, 30}, {1, 1}, {2, 4}});
 }
 
-/// Rows of sets.csv, by headings.
-std::vector<std::map<std::string, double>> rowsOf(std::span<const SetRecord> sets,
-                                                  std::span<const SetFrames> frames)
+TEST(SetTable, TellsMillisecondsAFrameAndFramesASecond)
 {
-    const test::TemporaryFolder folder;
-    writeSetsCsv(sets, frames, folder / "sets.csv");
-    std::istringstream text(test::readFile(folder / "sets.csv"));
-    std::string heading;
-    std::getline(text, heading);
-    std::vector<std::map<std::string, double>> rows;
-    for (std::string row; std::getline(text, row);)
-    {
-        std::istringstream names(heading);
-        std::istringstream values(row);
-        rows.emplace_back();
-        for (std::string name, value;
-             std::getline(names, name, ',') && std::getline(values, value, ',');)
-        {
-            rows.back()[name] = std::stod(value);
-        }
-    }
-    return rows;
+    const auto rows = setTable(makeSets(1), makeFrames(1), 24);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0].frames, 2u);
+    EXPECT_DOUBLE_EQ(rows[0].sphereSphereMs, 1);
+    EXPECT_DOUBLE_EQ(rows[0].spherePolygonMs, 2);
+    EXPECT_DOUBLE_EQ(rows[0].renderMs, 20);
+    EXPECT_DOUBLE_EQ(rows[0].readbackMs, 1);
+    EXPECT_DOUBLE_EQ(rows[0].encodeMs, 3);
+    EXPECT_DOUBLE_EQ(rows[0].framesPerSecond, 1000.0 / 27);
+    EXPECT_EQ(rows[1].name, "all");
 }
 
-TEST(SetsCsv, TellsFramesASecondOrStepsWhereNothingIsDrawn)
+TEST(SetTable, TellsMillisecondsAStepWhenNothingIsDrawn)
 {
-    // Two pictures in 6 ms of simulation and 40 + 2 + 6 ms of drawing, reading and encoding.
-    const auto sets = makeSets(1);
-    EXPECT_NEAR(rowsOf(sets, makeFrames(1))[0]["frames_per_second"], 2000.0 / 54, 1e-4);
-    EXPECT_NEAR(rowsOf(sets, {})[0]["frames_per_second"], 4 / 0.006, 1e-2);
+    const auto rows = setTable(makeSets(1), {}, 24);
+    EXPECT_EQ(rows[0].frames, 0u);
+    EXPECT_DOUBLE_EQ(rows[0].spherePolygonMs, 1);
+    EXPECT_DOUBLE_EQ(rows[0].framesPerSecond, 4 / 0.006);
+    EXPECT_EQ(formatSetTable(rows), "") << "frames a second are for those who draw";
+}
+
+TEST(SetTable, SharesRowsWhenThereAreManySets)
+{
+    for (const std::uint32_t count : {0u, 1u, 23u, 24u, 25u, 100u, 1000u})
+    {
+        const auto rows = setTable(makeSets(count), makeFrames(count), 24);
+        ASSERT_LE(rows.size(), 25u);
+        std::size_t spheres = 0;
+        for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+        {
+            spheres += rows[i].spheres;
+        }
+        EXPECT_EQ(spheres, 20u * count);
+        EXPECT_EQ(rows.empty(), count == 0);
+        if (!rows.empty())
+        {
+            EXPECT_EQ(rows.back().spheres, 20u * count);
+        }
+        const std::string text = formatSetTable(rows);
+        EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')),
+                  rows.empty() ? 0 : rows.size() + 2);
+    }
 }
 
 TEST(SetsCsv, HasARowASetAndAsManyCellsAsColumns)
@@ -104,7 +119,21 @@ TEST(SetsCsv, HasEachNumberUnderItsHeading)
     set.operations.spherePolygonResponses = 12;
     set.timedOut = true;
     const SetFrames frames{{10, 30}, {1, 2}, {3, 5}};
-    auto found = rowsOf({&set, 1}, {&frames, 1})[0];
+    const test::TemporaryFolder folder;
+    writeSetsCsv({&set, 1}, {&frames, 1}, folder / "sets.csv");
+    std::istringstream text(test::readFile(folder / "sets.csv"));
+    std::string heading;
+    std::string row;
+    std::getline(text, heading);
+    std::getline(text, row);
+    std::map<std::string, double> found;
+    std::istringstream names(heading);
+    std::istringstream values(row);
+    for (std::string name, value;
+         std::getline(names, name, ',') && std::getline(values, value, ',');)
+    {
+        found[name] = std::stod(value);
+    }
     const std::map<std::string, double> expected = {{"set", 0},
                                                     {"spheres", 20},
                                                     {"frames", 2},
