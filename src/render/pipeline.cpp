@@ -92,7 +92,7 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Imag
     renewStencil();
     const SphereDrawList::Changes& changes =
         drawList_.update(snapshot, framing(), viewpoint().colours());
-    const auto polygonParts = painter_.setPolygons(shellStates(snapshot));
+    const auto polygonParts = painter_.setPolygons(followShell(snapshot), shell().states());
     const bool startAgain = stale_ || changes.everything;
     if (startAgain && drawList_.resting().size() >= kSortFrom)
     {
@@ -222,22 +222,6 @@ void Pipeline::readBack(Image& image, std::span<const PixelRectangle> parts)
         framebuffer_.readColour(image, {&around, 1}, withAlpha); // for they may lie there already
         swatches_->draw(image);
     }
-}
-
-void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
-{
-    context_->makeCurrent();
-    follow(snapshot);
-    const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
-                                    [&](const std::unique_ptr<SurfacePass>& pass) {
-                                        return pass->size().width == size.width &&
-                                               pass->size().height == size.height;
-                                    });
-    SurfacePass& pass = found != surfacePasses_.end()
-                            ? **found
-                            : *surfacePasses_.emplace_back(std::make_unique<SurfacePass>(
-                                  gl_, shapesOnly(painter_.variant()), size));
-    pass.draw(placeSpheres(snapshot, framing()), painter_.uniforms(), surfaces);
 }
 
 std::vector<double> Pipeline::readDepth()

@@ -35,8 +35,6 @@ public:
 
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image) override;
     void readBack(Image& image, std::span<const PixelRectangle> parts) override;
-    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
-                      Surfaces& surfaces) override;
     [[nodiscard]] const std::string& description() const override { return description_; }
 
     /// Window depth in 0..1, top row first; for samples == 1.
@@ -71,7 +69,6 @@ private:
     std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
     std::vector<SphereInstance> spheres_; ///< that run and can be seen
     std::vector<PicturePart> parts_;      ///< [spheres_] where
-    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
 };
 
 } // namespace frostfill

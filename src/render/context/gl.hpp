@@ -35,14 +35,10 @@ constexpr GLenum GL_BACK = 0x0405;
 constexpr GLenum GL_BLEND = 0x0BE2;
 constexpr GLenum GL_BYTE = 0x1400;
 constexpr GLenum GL_COLOR_ATTACHMENT0 = 0x8CE0;
-constexpr GLenum GL_COLOR_ATTACHMENT1 = 0x8CE1;
 constexpr GLenum GL_COMPILE_STATUS = 0x8B81;
 constexpr GLenum GL_CULL_FACE = 0x0B44;
 constexpr GLenum GL_DEPTH24_STENCIL8 = 0x88F0;
-constexpr GLenum GL_DEPTH_ATTACHMENT = 0x8D00;
 constexpr GLenum GL_DEPTH_CLAMP = 0x864F;
-constexpr GLenum GL_DEPTH_COMPONENT = 0x1902;
-constexpr GLenum GL_DEPTH_COMPONENT32F = 0x8CAC;
 constexpr GLenum GL_DEPTH_STENCIL = 0x84F9;
 constexpr GLenum GL_DEPTH_STENCIL_ATTACHMENT = 0x821A;
 constexpr GLenum GL_DEPTH_TEST = 0x0B71;
@@ -120,8 +116,6 @@ class Context;
     X(deleteVertexArrays, void(GLsizei, const GLuint*))                                            \
     X(depthMask, void(GLboolean))                                                                  \
     X(disable, void(GLenum))                                                                       \
-    X(drawArrays, void(GLenum, GLint, GLsizei))                                                    \
-    X(drawBuffers, void(GLsizei, const GLenum*))                                                   \
     X(drawElements, void(GLenum, GLsizei, GLenum, const void*))                                    \
     X(drawElementsBaseVertex, void(GLenum, GLsizei, GLenum, const void*, GLint))                   \
     X(enable, void(GLenum))                                                                        \
@@ -142,7 +136,6 @@ class Context;
     X(getUniformLocation, GLint(GLuint, const GLchar*))                                            \
     X(linkProgram, void(GLuint))                                                                   \
     X(pixelStorei, void(GLenum, GLint))                                                            \
-    X(readBuffer, void(GLenum))                                                                    \
     X(readPixels, void(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*))                     \
     X(renderbufferStorageMultisample, void(GLenum, GLsizei, GLenum, GLsizei, GLsizei))             \
     X(scissor, void(GLint, GLint, GLsizei, GLsizei))                                               \
@@ -150,7 +143,6 @@ class Context;
     X(stencilFunc, void(GLenum, GLint, GLuint))                                                    \
     X(stencilOp, void(GLenum, GLenum, GLenum))                                                     \
     X(uniform1f, void(GLint, GLfloat))                                                             \
-    X(uniform1i, void(GLint, GLint))                                                               \
     X(uniform2fv, void(GLint, GLsizei, const GLfloat*))                                            \
     X(uniform3fv, void(GLint, GLsizei, const GLfloat*))                                            \
     X(uniform4fv, void(GLint, GLsizei, const GLfloat*))                                            \

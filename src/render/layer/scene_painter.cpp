@@ -161,35 +161,16 @@ void ScenePainter::setShell(const DrawnShell& shell)
 
 void ScenePainter::findBounds()
 {
-    constexpr double kMargin = 1.5;      // of which only a sample is covered [pixel]
-    constexpr double kDepthSlack = 1e-5; // what single precision may do to a window depth
-    const PixelRectangle picture = {0, 0, settings_.size.width, settings_.size.height};
-    const glm::dvec2 pixels(settings_.size.width, settings_.size.height);
-    const glm::dmat4 toClip = framing_.projection * framing_.view;
+    const SphereProjector projector(framing_, settings_.size);
     bounds_.clear();
     for (std::size_t t = 0; t < shaded_.triangles.size(); ++t)
     {
-        glm::dvec3 low(1e9);
-        glm::dvec3 high(-1e9);
-        bool meetsEye = false;
-        for (const glm::vec3& corner : shaded_.corners(t))
-        {
-            const glm::dvec4 clip = toClip * glm::dvec4(corner, 1.0);
-            meetsEye = meetsEye || clip.w <= 1e-6;
-            const glm::dvec3 point =
-                (glm::dvec3(clip) / clip.w + 1.0) / 2.0 * glm::dvec3(pixels, 1.0);
-            low = glm::min(low, point);
-            high = glm::max(high, point);
-        }
-        const glm::dvec2 least = glm::clamp(glm::dvec2(low) - kMargin, -pixels, 2.0 * pixels);
-        const glm::dvec2 most = glm::clamp(glm::dvec2(high) + kMargin, -pixels, 2.0 * pixels);
-        const PixelRectangle around =
-            common({static_cast<int>(std::floor(least.x)), static_cast<int>(std::floor(least.y)),
-                    static_cast<int>(std::ceil(most.x)), static_cast<int>(std::ceil(most.y))},
-                   picture);
-        bounds_.push_back(meetsEye ? TriangleBounds{picture, -1}
-                                   : TriangleBounds{around.empty() ? PixelRectangle{} : around,
-                                                    static_cast<float>(low.z - kDepthSlack)});
+        const auto [a, b, c] = shaded_.corners(t);
+        const glm::vec3 middle = (a + b + c) / 3.0F;
+        const float reach = std::max(
+            {glm::distance(middle, a), glm::distance(middle, b), glm::distance(middle, c)});
+        bounds_.push_back(
+            projector.project({middle.x, middle.y, middle.z, 1.0001F * reach + 1e-6F, 0}));
     }
 }
 
@@ -217,12 +198,14 @@ void ScenePainter::lookFrom(const Framing& framing)
     }
 }
 
-std::span<const PixelRectangle> ScenePainter::setPolygons(std::span<const PolygonState> states)
+std::span<const PixelRectangle> ScenePainter::setPolygons(std::span<const std::uint32_t> changed,
+                                                          std::span<const PolygonState> states)
 {
     changed_.clear();
     if (shell_)
     {
-        for (const std::uint32_t triangle : shell_->update(states))
+        shell_->update(changed, states);
+        for (const std::uint32_t triangle : changed)
         {
             changed_.push_back(bounds_[triangle].pixels);
         }
@@ -327,10 +310,8 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
 
 void ScenePainter::paintShell()
 {
-    if (shell_)
-    {
-        meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection);
-    }
+    const PicturePart all{{0, 0, settings_.size.width, settings_.size.height}};
+    paintShell({&all, 1});
 }
 
 void ScenePainter::paintShell(std::span<const PicturePart> parts)
@@ -342,16 +323,15 @@ void ScenePainter::paintShell(std::span<const PicturePart> parts)
     chosen_.clear();
     for (std::uint32_t t = 0; t < bounds_.size(); ++t)
     {
-        const auto& [pixels, nearest] = bounds_[t];
-        const auto meets = [&pixels = pixels, nearest = nearest](const PicturePart& part)
-        { return nearest < part.furthest && pixels.overlaps(part.pixels); };
+        const auto meets = [&bounds = bounds_[t]](const PicturePart& part)
+        { return bounds.nearestDepth < part.furthest && bounds.pixels.overlaps(part.pixels); };
         if (std::any_of(parts.begin(), parts.end(), meets))
         {
             chosen_.push_back(t);
         }
     }
     shell_->choose(chosen_);
-    meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection, MeshPass::Triangles::chosen);
+    meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection);
 }
 
 void ScenePainter::paintShellPerRegion(std::span<const PicturePart> parts)

@@ -70,8 +70,10 @@ public:
     void lookFrom(const Framing& framing);
     /// Shows another mesh as the shell from now on, before the next lookFrom().
     void setShell(const DrawnShell& shell);
-    /// Returns the parts of the picture where the shell has changed, until the next call.
-    std::span<const PixelRectangle> setPolygons(std::span<const PolygonState> states);
+    /// Takes the states of these triangles of the shell. Returns the parts of the picture where
+    /// they are seen, until the next call.
+    std::span<const PixelRectangle> setPolygons(std::span<const std::uint32_t> changed,
+                                                std::span<const PolygonState> states);
 
     void clear();
     /// The studio's, where the camera looks down at it.
@@ -133,13 +135,7 @@ private:
     SphereBuffer spheres_;
     ShadedMesh shaded_;
     std::unique_ptr<MeshBuffer> shell_;
-    /// Around a triangle in the picture, and a window depth that nothing of it is nearer than.
-    struct TriangleBounds
-    {
-        PixelRectangle pixels; ///< empty when it is out of view
-        float nearest;
-    };
-    std::vector<TriangleBounds> bounds_; ///< [#T] of the shell
+    std::vector<ProjectedSphere> bounds_; ///< [#T] around the triangles of the shell
     std::vector<PicturePart> regionParts_;
     std::vector<std::uint32_t> chosen_; ///< of them, for a part
     std::vector<PixelRectangle> changed_;

@@ -24,23 +24,25 @@ using Frame = ShellRows;
 
 /// How far a point is from the cut in the picture, positive beyond it, where it is `nearness`,
 /// which changes by `nearX` and `nearY` from pixel to pixel. [pixel]
-FROSTFILL_INLINE Floats pixelsFromCut(const ShellCut& cut, Floats x, Floats y, Floats nearness,
+FROSTFILL_INLINE Floats pixelsFromCut(const Frame& f, Floats x, Floats y, Floats nearness,
                                       float nearX, float nearY)
 {
-    const Floats over = cut.orthographic ? all(1) : 1 / nearness;
-    const Floats rayX = cut.left + cut.perColumn * x;
-    const Floats rayY = cut.bottom + cut.perRow * y;
+    const PixelGrid& grid = f.grid;
+    const ShellCut& cut = f.cut;
+    const Floats over = grid.orthographic ? all(1) : 1 / nearness;
+    const Floats rayX = grid.left + grid.perColumn * x;
+    const Floats rayY = grid.bottom + grid.perRow * y;
     std::array<Floats, 2> depth;
     std::array<Floats, 2> slope;
     for (std::size_t i = 0; i < 2; ++i)
     {
         const auto& [a, b, c, d] = cut.planes[i];
         const Floats beside = a * rayX + b * rayY;
-        const Floats ahead = cut.orthographic ? beside + c * nearness : (beside - c) * over;
-        const Floats bySideX = cut.orthographic ? all(c * nearX) : -ahead * nearX;
-        const Floats bySideY = cut.orthographic ? all(c * nearY) : -ahead * nearY;
-        const Floats slopeX = (a * cut.perColumn + bySideX) * over;
-        const Floats slopeY = (b * cut.perRow + bySideY) * over;
+        const Floats ahead = grid.orthographic ? beside + c * nearness : (beside - c) * over;
+        const Floats bySideX = grid.orthographic ? all(c * nearX) : -ahead * nearX;
+        const Floats bySideY = grid.orthographic ? all(c * nearY) : -ahead * nearY;
+        const Floats slopeX = (a * grid.perColumn + bySideX) * over;
+        const Floats slopeY = (b * grid.perRow + bySideY) * over;
         depth[i] = ahead + d;
         slope[i] = abs(slopeX) + abs(slopeY);
     }
@@ -64,8 +66,9 @@ FROSTFILL_INLINE Floats curved(const Setup& s, const Frame& f, Floats x, Floats 
     const Floats ny = b0 * s.normals[0].y + b1 * s.normals[1].y + b2 * s.normals[2].y;
     const Floats nz = b0 * s.normals[0].z + b1 * s.normals[1].z + b2 * s.normals[2].z;
     const Floats length = 1 / root(max(nx * nx + ny * ny + nz * nz, 1e-12F));
-    const Floats rayX = f.left + f.perColumn * x;
-    const Floats rayY = f.bottom + f.perRow * y;
+    const bool parallel = f.grid.orthographic;
+    const Floats rayX = parallel ? Floats{} : f.grid.left + f.grid.perColumn * x;
+    const Floats rayY = parallel ? Floats{} : f.grid.bottom + f.grid.perRow * y;
     const Floats towards =
         (nz - nx * rayX - ny * rayY) * length / root(rayX * rayX + (1 + rayY * rayY));
     facing = abs(towards);
@@ -215,7 +218,7 @@ struct Painter
         Film film{surface.share, {}};
         if constexpr (detail == Detail::cut)
         {
-            const Floats away = pixelsFromCut(f.cut, x, y, nearness, nearX, nearY);
+            const Floats away = pixelsFromCut(f, x, y, nearness, nearX, nearY);
             const Floats left = leftOfCut(away);
             film = lineInFilm(f.print, surface.share, max(line, lineOfCut(away, f.lineWidth)));
             film.film *= left;
@@ -373,16 +376,10 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
                            std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front)
 {
     view_ = uniforms.view;
-    grid_ = pixelGrid(uniforms.projection, orthographic, size);
-    rows_ = {};
-    if (!orthographic)
-    {
-        rows_ = {grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
-    }
+    rows_.grid = pixelGrid(uniforms.projection, orthographic, size);
     rows_.lineWidth = strokes_.lineWidth;
     rows_.print = variant_.outlines;
-    rows_.cut = {orthographic, grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
-    rows_.cut.steepest = shading::kSteepest * grid_.perRow;
+    rows_.cut.steepest = shading::kSteepest * rows_.grid.perRow;
     rows_.cut.steepestBefore = variant_.fadingLines ? rows_.cut.steepest : kAnySteepness;
     for (std::size_t i = 0; i < 2; ++i)
     {
@@ -398,26 +395,19 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
            [&](std::size_t t) { places_[t] = placeOf(static_cast<std::uint32_t>(t)); });
 }
 
-std::span<const std::uint32_t> ShellRaster::setStates(std::span<const PolygonState> states)
-{
-    changed_.clear();
-    const std::size_t given = std::min(states.size(), states_.size());
-    for (std::size_t t = 0; t < states_.size(); ++t)
-    {
-        const PolygonState state = t < given ? states[t] : PolygonState::active;
-        if (state != states_[t])
-        {
-            states_[t] = state;
-            changed_.push_back(static_cast<std::uint32_t>(t));
-        }
-    }
-    return changed_;
-}
-
 std::vector<std::uint32_t> ShellRaster::inDrawingOrder() const
 {
     std::vector<std::uint32_t> order;
-    eachInDrawingOrder([&](std::uint32_t t) { order.push_back(t); });
+    for (const bool front : {false, true})
+    {
+        for (std::uint32_t t = 0; t < places_.size(); ++t)
+        {
+            if (places_[t].front == front && !places_[t].empty())
+            {
+                order.push_back(t);
+            }
+        }
+    }
     return order;
 }
 

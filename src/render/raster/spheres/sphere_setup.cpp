@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is the same over one sphere is worked out here, once and not for every pixel.
-#include "render/picture/surfaces.hpp"
+#include "render/framing/framing.hpp"
 #include "render/raster/lanes/shading.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
 

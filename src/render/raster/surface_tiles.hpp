@@ -27,16 +27,14 @@ struct Surfaces
     std::vector<std::uint32_t> identity;             ///< index of the sphere + 1; or 0
 };
 
-/// The spheres of a snapshot in unit space, by id, without colours.
+/// The spheres of a snapshot in unit space, by id. Each has its identity for a colour: the id + 1.
 [[nodiscard]] std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot,
                                                        const Framing& framing);
 
-/// Nearest and furthest distance that a projection shows, in unit space.
-struct DepthLimits
-{
-    double nearest, furthest;
-};
-[[nodiscard]] DepthLimits depthLimits(const glm::dmat4& projection, bool orthographic);
+/// Draws spheres for what they are and not how they look, one sample a pixel, whatever draws the
+/// pictures. `surfaces` is reused.
+void drawSurfaces(const Snapshot& snapshot, const Framing& framing, const RenderSettings& settings,
+                  Surfaces& surfaces);
 
 /// Surfaces in the form in which they are given out. `pictures` is reused.
 void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPictures& pictures);
