@@ -49,8 +49,10 @@ private:
     void useShell() override;
     void updateSphereOcclusion(const SphereDrawList::Changes& changes, bool startAgain);
     void drawEverything();
-    void updateLayer(const SphereDrawList::Changes& changes,
-                     std::span<const PixelRectangle> polygonParts, bool startAgain);
+    void updateLayer(const SphereDrawList::Changes& changes, const PixelRectangle& polygons,
+                     bool startAgain);
+    /// What lies in the picture has to be renewed, too.
+    void addDirty(const PixelRectangle& part);
     void drawOverLayer();
     void renewStencil();
 
@@ -64,11 +66,11 @@ private:
     SphereProjector projector_;
     SphereDrawList drawList_;
     bool stale_ = true;                   ///< nothing of the picture before can be kept
-    DirtyRectangles dirty_;               ///< parts of the picture that differ from the one before
-    DirtyRectangles covered_;             ///< parts of the layer that are drawn anew
-    std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
+    PixelRectangle dirty_;                ///< the part that differs from the picture before
+    PixelRectangle running_;              ///< where spheres that run were drawn over the layer
     std::vector<SphereInstance> spheres_; ///< that run and can be seen
     std::vector<PicturePart> parts_;      ///< [spheres_] where
+    std::vector<PixelRectangle> renewed_; ///< what draw() returns
 };
 
 } // namespace frostfill

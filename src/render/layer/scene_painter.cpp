@@ -13,87 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 namespace frostfill
 {
-
-namespace
-{
-
-/// Pixels whose renewal costs as much as the calls for one more rectangle.
-constexpr std::int64_t kCallCost = 2500;
-
-/// With more rectangles than this, looking for pairs costs more than it saves.
-constexpr std::size_t kMaxRectangles = 256;
-
-bool worthJoining(const PixelRectangle& a, const PixelRectangle& b)
-{
-    return a.overlaps(b) || around(a, b).area() <= a.area() + b.area() + kCallCost;
-}
-
-/// One sweep over all pairs; returns whether any was joined.
-bool joinPairs(std::vector<PixelRectangle>& rectangles)
-{
-    bool changed = false;
-    for (std::size_t i = 0; i < rectangles.size(); ++i)
-    {
-        for (std::size_t k = i + 1; k < rectangles.size();)
-        {
-            if (!worthJoining(rectangles[i], rectangles[k]))
-            {
-                ++k;
-                continue;
-            }
-            rectangles[i] = around(rectangles[i], rectangles[k]);
-            rectangles[k] = rectangles.back();
-            rectangles.pop_back();
-            changed = true;
-        }
-    }
-    return changed;
-}
-
-} // namespace
-
-void DirtyRectangles::add(const PixelRectangle& rectangle)
-{
-    const PixelRectangle inside = common(rectangle, picture_);
-    if (!inside.empty())
-    {
-        rectangles_.push_back(inside);
-    }
-}
-
-void DirtyRectangles::add(std::span<const PixelRectangle> rectangles)
-{
-    for (const PixelRectangle& rectangle : rectangles)
-    {
-        add(rectangle);
-    }
-}
-
-void DirtyRectangles::addAll()
-{
-    rectangles_.assign(1, picture_);
-}
-
-const std::vector<PixelRectangle>& DirtyRectangles::joined()
-{
-    if (rectangles_.size() > kMaxRectangles)
-    {
-        PixelRectangle all;
-        for (const PixelRectangle& rectangle : rectangles_)
-        {
-            all = around(all, rectangle);
-        }
-        rectangles_.assign(1, all);
-    }
-    while (joinPairs(rectangles_))
-    {
-    }
-    return rectangles_;
-}
 
 namespace
 {
@@ -119,7 +41,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, cons
                   strokesFor(settings).lineWidth),
       meshPass_(gl, variant_, shellPalette(settings_.style),
                 strokesFor(settings, mesh.triangles.size())),
-      spheres_(gl, variant_.occlusion), regions_(settings.size.width, settings.size.height)
+      spheres_(gl, variant_.occlusion)
 {
     if (variant_.cutaway)
     {
@@ -198,19 +120,19 @@ void ScenePainter::lookFrom(const Framing& framing)
     }
 }
 
-std::span<const PixelRectangle> ScenePainter::setPolygons(std::span<const std::uint32_t> changed,
-                                                          std::span<const PolygonState> states)
+PixelRectangle ScenePainter::setPolygons(std::span<const std::uint32_t> changed,
+                                         std::span<const PolygonState> states)
 {
-    changed_.clear();
+    PixelRectangle part;
     if (shell_)
     {
         shell_->update(changed, states);
         for (const std::uint32_t triangle : changed)
         {
-            changed_.push_back(bounds_[triangle].pixels);
+            part = around(part, bounds_[triangle].pixels);
         }
     }
-    return changed_;
+    return part;
 }
 
 void ScenePainter::clear()
@@ -334,27 +256,6 @@ void ScenePainter::paintShell(std::span<const PicturePart> parts)
     meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection);
 }
 
-void ScenePainter::paintShellPerRegion(std::span<const PicturePart> parts)
-{
-    // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
-    // Mesa shades it there too before it finds no mark. The regions are disjoint, so that no pixel
-    // gets the surface twice.
-    regions_.clear();
-    for (const PicturePart& part : parts)
-    {
-        regions_.add(grown(part.pixels, kScissorMargin));
-    }
-    for (const PixelRectangle& region : regions_.joined())
-    {
-        regionParts_.clear();
-        std::copy_if(parts.begin(), parts.end(), std::back_inserter(regionParts_),
-                     [&](const PicturePart& part) { return part.pixels.overlaps(region); });
-        confine(region);
-        paintShell(regionParts_);
-    }
-    endConfinement();
-}
-
 void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
                               std::span<const PicturePart> parts)
 {
@@ -370,7 +271,16 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     // Only what shows a new sphere has lost the surface over it; elsewhere it must not lie twice.
     gl_.stencilFunc(GL_EQUAL, stencilValue_, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    paintShellPerRegion(parts);
+    // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
+    // Mesa shades it there too before it finds no mark.
+    PixelRectangle region;
+    for (const PicturePart& part : parts)
+    {
+        region = around(region, grown(part.pixels, kScissorMargin));
+    }
+    confine(region);
+    paintShell(parts);
+    endConfinement();
     gl_.disable(GL_STENCIL_TEST);
 }
 

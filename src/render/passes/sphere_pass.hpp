@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Room: programs that draw one kind of thing: spheres, the shell, depth, normals, identities. A
+// Room: programs of OpenGL that draw one kind of thing: spheres, the shell, the ground. A
 // pass draws what it is given and keeps no history.
 #pragma once
 

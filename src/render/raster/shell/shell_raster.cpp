@@ -124,34 +124,6 @@ surfaceAndLine(const Setup& s, const Frame& f, Floats x, Floats y, Floats d0, Fl
     return {surface, line};
 }
 
-/// Columns of the row, in the tile, at which any sample may be inside; not yet in whole lanes.
-FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
-                                              const std::array<float, 3>& overAcross, float left,
-                                              float y, int first, int end)
-{
-    auto low = static_cast<float>(first);
-    auto high = static_cast<float>(end);
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        // A sample is at most 0.4 pixels from the middle; the distances have a slope of 1.
-        const float atLeft = s.across[i] * (left + 0.5F) + s.upwards[i] * y + s.from[i] + 0.6F;
-        if (s.across[i] > 1e-6F)
-        {
-            low = std::max(low, -atLeft * overAcross[i]);
-        }
-        else if (s.across[i] < -1e-6F)
-        {
-            high = std::min(high, -atLeft * overAcross[i] + 1);
-        }
-        else if (atLeft < 0)
-        {
-            high = low;
-        }
-    }
-    return low < high ? std::array{static_cast<int>(low), static_cast<int>(std::ceil(high))}
-                      : std::array{0, 0};
-}
-
 /// What there is on a triangle.
 enum class Detail
 {
@@ -261,20 +233,10 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
 {
     Painter<samples, detail> painter(setup, frame, tile, record);
     const PixelRectangle rows = inWholeLanes(pixels);
-    const bool narrow = rows.width() <= kLanes; // to look for the columns takes longer
-    std::array<float, 3> overAcross;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        overAcross[i] = narrow ? 0 : 1 / setup.across[i];
-    }
     for (int y = rows.bottom; y < rows.top; ++y)
     {
         const float yAt = static_cast<float>(part.bottom + y) + 0.5F;
-        const auto [from, to] =
-            narrow ? std::array{rows.left, rows.right}
-                   : columnsOf(painter.s, overAcross, static_cast<float>(part.left), yAt, rows.left,
-                               rows.right);
-        for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
+        for (int x = rows.left; x < rows.right; x += kLanes)
         {
             const int pixel = y * kTileEdge + x;
             painter.draw(static_cast<float>(part.left + x) + 0.5F + iota(), all(yAt),
@@ -373,7 +335,7 @@ ShellRaster::ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant,
 
 void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
                            const PictureSize& size,
-                           std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front)
+                           std::span<const std::array<std::uint8_t, 3>> edgeStrengths)
 {
     view_ = uniforms.view;
     rows_.grid = pixelGrid(uniforms.projection, orthographic, size);
@@ -388,7 +350,6 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
     }
     size_ = size;
     edges_ = edgeStrengths;
-    front_ = front;
     vertices_.resize(shape_.positions.size());
     forAll(vertices_.size(), kTrianglesPerTask, [&](std::size_t v) { placeVertex(v); });
     forAll(places_.size(), kTrianglesPerTask,

@@ -71,9 +71,9 @@ public:
     ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant, const Palette& palette,
                 const MeshStrokes& strokes, int samples);
 
-    /// `edgeStrengths` must stay. `front` is added to what is near without perspective.
+    /// `edgeStrengths` must stay.
     void lookFrom(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
-                  std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front = 0);
+                  std::span<const std::array<std::uint8_t, 3>> edgeStrengths);
     /// [#T] All are active before.
     void setStates(std::span<const PolygonState> states)
     {
@@ -183,7 +183,6 @@ private:
     glm::mat4 view_{1};
     ShellRows rows_{};
     PictureSize size_;
-    float front_ = 0;
     ShellVertices shape_;
     std::vector<Vertex> vertices_;                       ///< [shape_] for this camera
     std::span<const std::array<std::uint8_t, 3>> edges_; ///< [#T]

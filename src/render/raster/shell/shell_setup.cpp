@@ -142,7 +142,7 @@ void ShellRaster::placeVertex(std::size_t index)
     Vertex& vertex = vertices_[index];
     vertex.corner = {(eye.x - double{grid.left} * w) / grid.perColumn,
                      (eye.y - double{grid.bottom} * w) / grid.perRow, w};
-    vertex.height = grid.orthographic ? eye.z + front_ : 1;
+    vertex.height = grid.orthographic ? eye.z : 1;
     const bool ahead = w > kAhead;
     vertex.pixel = ahead ? glm::dvec2(vertex.corner) / w : glm::dvec2(0);
     vertex.nearest = ahead ? static_cast<float>(vertex.height / w) : kNotAhead;
