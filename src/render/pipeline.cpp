@@ -227,6 +227,18 @@ void Pipeline::readBack(Image& image, std::span<const PixelRectangle> parts)
     }
 }
 
+void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
+{
+    context_->makeCurrent();
+    follow(snapshot);
+    if (!surfacePass_ || surfacePass_->size().width != size.width ||
+        surfacePass_->size().height != size.height)
+    {
+        surfacePass_ = std::make_unique<SurfacePass>(gl_, shapesOnly(painter_.variant()), size);
+    }
+    surfacePass_->draw(placeSpheres(snapshot, framing()), painter_.uniforms(), surfaces);
+}
+
 std::vector<double> Pipeline::readDepth()
 {
     context_->makeCurrent();

@@ -35,6 +35,8 @@ public:
 
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image) override;
     void readBack(Image& image, std::span<const PixelRectangle> parts) override;
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                      Surfaces& surfaces) override;
     [[nodiscard]] const std::string& description() const override { return description_; }
 
     /// Window depth in 0..1, top row first; for samples == 1.
@@ -63,6 +65,7 @@ private:
     ScenePainter painter_;
     std::optional<StaticLayer> layer_;
     std::optional<SwatchRaster> swatches_;
+    std::unique_ptr<SurfacePass> surfacePass_; ///< of the size that was asked for last
     SphereProjector projector_;
     SphereDrawList drawList_;
     bool stale_ = true;                   ///< nothing of the picture before can be kept

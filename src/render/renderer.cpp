@@ -2,7 +2,6 @@
 #include "base/timers.hpp"
 #include "render/overlay/annotated_picture.hpp"
 #include "render/pipeline.hpp"
-#include "render/raster/surface_tiles.hpp"
 #include "render/raster/tile_pipeline.hpp"
 
 #include <frostfill/error.hpp>
@@ -171,10 +170,8 @@ void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
     const StageTimer timer(own.times, Stage::rendering);
-    own.backend->follow(snapshot);
-    const Framing& framing = own.backend->framing();
-    drawSurfaces(snapshot, framing, own.settings, own.surfaces);
-    makePassPictures(own.surfaces, framing, pictures);
+    own.backend->drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    makePassPictures(own.surfaces, own.backend->framing(), pictures);
 }
 
 const std::string& Renderer::description() const

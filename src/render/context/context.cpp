@@ -3,6 +3,7 @@
 
 #include "base/resources.hpp"
 #include "render/context/gl.hpp"
+#include "render/context/watchdog.hpp"
 
 #include <frostfill/error.hpp>
 
@@ -22,6 +23,9 @@ namespace
 /// What Mesa maps for a context with its threads [bytes]. When it gets less it may wait forever
 /// for a thread that it could not start.
 constexpr std::size_t kContextBytes = std::size_t{768} << 20;
+
+/// A context takes a tenth of a second.
+constexpr std::chrono::seconds kPatience{60};
 
 /// Only before the first context: it loads the libraries, and those after it take far less.
 void requireMemory()
@@ -77,6 +81,10 @@ const std::vector<BackendChoice>& backendChoices()
 std::unique_ptr<Context> openContext(Backend backend)
 {
     requireMemory();
+    const Watchdog watchdog(kPatience,
+                            "frostfill: OpenGL has not answered for a minute, perhaps because "
+                            "memory is short; omit picture.backend",
+                            static_cast<int>(ErrorCode::noOpenGl));
     const std::vector<BackendChoice>& choices = backendChoices();
     const auto choice =
         std::find_if(choices.begin(), choices.end(),

@@ -60,7 +60,8 @@ struct BackendChoice
 [[nodiscard]] const std::vector<BackendChoice>& backendChoices();
 
 /// Opens a backend of backendChoices(). Throws Error noOpenGl, which has the remedy, and
-/// outOfMemory when the process has too little.
+/// outOfMemory when the process has too little. A library that hangs for a minute ends the process
+/// with the code of noOpenGl: nothing else gets out of it.
 [[nodiscard]] std::unique_ptr<Context> openContext(Backend backend);
 
 } // namespace frostfill

@@ -35,10 +35,14 @@ constexpr GLenum GL_BACK = 0x0405;
 constexpr GLenum GL_BLEND = 0x0BE2;
 constexpr GLenum GL_BYTE = 0x1400;
 constexpr GLenum GL_COLOR_ATTACHMENT0 = 0x8CE0;
+constexpr GLenum GL_COLOR_ATTACHMENT1 = 0x8CE1;
 constexpr GLenum GL_COMPILE_STATUS = 0x8B81;
 constexpr GLenum GL_CULL_FACE = 0x0B44;
 constexpr GLenum GL_DEPTH24_STENCIL8 = 0x88F0;
+constexpr GLenum GL_DEPTH_ATTACHMENT = 0x8D00;
 constexpr GLenum GL_DEPTH_CLAMP = 0x864F;
+constexpr GLenum GL_DEPTH_COMPONENT = 0x1902;
+constexpr GLenum GL_DEPTH_COMPONENT32F = 0x8CAC;
 constexpr GLenum GL_DEPTH_STENCIL = 0x84F9;
 constexpr GLenum GL_DEPTH_STENCIL_ATTACHMENT = 0x821A;
 constexpr GLenum GL_DEPTH_TEST = 0x0B71;
@@ -75,6 +79,7 @@ constexpr GLenum GL_STREAM_DRAW = 0x88E0;
 constexpr GLenum GL_TRIANGLES = 0x0004;
 constexpr GLenum GL_UNSIGNED_BYTE = 0x1401;
 constexpr GLenum GL_UNSIGNED_INT = 0x1405;
+constexpr GLenum GL_UNSIGNED_INT_8_8_8_8_REV = 0x8367;
 constexpr GLenum GL_UNSIGNED_INT_24_8 = 0x84FA;
 constexpr GLenum GL_UNSIGNED_SHORT = 0x1403;
 constexpr GLenum GL_VENDOR = 0x1F00;
@@ -116,6 +121,7 @@ class Context;
     X(deleteVertexArrays, void(GLsizei, const GLuint*))                                            \
     X(depthMask, void(GLboolean))                                                                  \
     X(disable, void(GLenum))                                                                       \
+    X(drawBuffers, void(GLsizei, const GLenum*))                                                   \
     X(drawElements, void(GLenum, GLsizei, GLenum, const void*))                                    \
     X(drawElementsBaseVertex, void(GLenum, GLsizei, GLenum, const void*, GLint))                   \
     X(enable, void(GLenum))                                                                        \
@@ -136,6 +142,7 @@ class Context;
     X(getUniformLocation, GLint(GLuint, const GLchar*))                                            \
     X(linkProgram, void(GLuint))                                                                   \
     X(pixelStorei, void(GLenum, GLint))                                                            \
+    X(readBuffer, void(GLenum))                                                                    \
     X(readPixels, void(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*))                     \
     X(renderbufferStorageMultisample, void(GLenum, GLsizei, GLenum, GLsizei, GLsizei))             \
     X(scissor, void(GLint, GLint, GLsizei, GLsizei))                                               \

@@ -3,6 +3,8 @@
 
 #include "render/context/embedded.hpp"
 
+#include <frostfill/error.hpp>
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -38,6 +40,18 @@ std::vector<std::uint16_t> indicesOfSquares()
         }
     }
     return indices;
+}
+
+/// Of surfaces: their normals, their identities.
+constexpr std::array<GLenum, 2> kColourTargets = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+
+// Shared by the pass of colours and that of surfaces.
+void setCamera(const ShaderProgram& program, const SphereUniforms& uniforms)
+{
+    program.set("view", uniforms.view);
+    program.set("projection", uniforms.projection);
+    program.set("depthAtInfinity", uniforms.depthAtInfinity);
+    program.set("depthSlope", uniforms.depthSlope);
 }
 
 } // namespace
@@ -149,10 +163,7 @@ SpherePass::SpherePass(const GlFunctions& gl, const ShaderVariant& variant,
 void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniforms) const
 {
     program_.use();
-    program_.set("view", uniforms.view);
-    program_.set("projection", uniforms.projection);
-    program_.set("depthAtInfinity", uniforms.depthAtInfinity);
-    program_.set("depthSlope", uniforms.depthSlope);
+    setCamera(program_, uniforms);
     program_.set("pixelScale", uniforms.pixelScale);
     program_.set("supersample", uniforms.supersample);
     program_.set("heightPlane", std::span(&uniforms.heightPlane, 1));
@@ -165,6 +176,91 @@ void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniform
     gl_.depthMask(GL_TRUE);
     gl_.disable(GL_BLEND);
     spheres.draw();
+}
+
+SurfacePass::SurfacePass(const GlFunctions& gl, const ShaderVariant& variant,
+                         const PictureSize& size)
+    : gl_(gl), size_(size), orthographic_(variant.orthographic),
+      program_(gl, definitionsOf(variant), embedded::shader_sphere_vert(),
+               embedded::shader_surface_frag()),
+      buffer_(gl)
+{
+    gl.genFramebuffers(1, &framebuffer_);
+    gl.genRenderbuffers(3, renderbuffers_.data());
+    gl.bindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    const std::array formats = {GL_RGBA8, GL_RGBA8, GL_DEPTH_COMPONENT32F};
+    const std::array attachments = {kColourTargets[0], kColourTargets[1], GL_DEPTH_ATTACHMENT};
+    for (std::size_t i = 0; i < renderbuffers_.size(); ++i)
+    {
+        gl.bindRenderbuffer(GL_RENDERBUFFER, renderbuffers_[i]);
+        gl.renderbufferStorageMultisample(GL_RENDERBUFFER, 0, formats[i], size.width, size.height);
+        gl.framebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER,
+                                   renderbuffers_[i]);
+    }
+    gl.drawBuffers(2, kColourTargets.data());
+    if (gl.checkFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    {
+        throw Error(
+            ErrorCode::noOpenGl,
+            fmt::format("no framebuffer of {}x{} pixels is available for depth, normals and "
+                        "identities",
+                        size.width, size.height));
+    }
+}
+
+SurfacePass::~SurfacePass()
+{
+    gl_.deleteFramebuffers(1, &framebuffer_);
+    gl_.deleteRenderbuffers(3, renderbuffers_.data());
+}
+
+void SurfacePass::draw(std::span<const SphereInstance> spheres, const SphereUniforms& uniforms,
+                       Surfaces& surfaces)
+{
+    buffer_.update(spheres);
+    gl_.bindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    gl_.viewport(0, 0, size_.width, size_.height);
+    gl_.clearColor(0, 0, 0, 0);
+    gl_.enable(GL_DEPTH_TEST);
+    gl_.depthMask(GL_TRUE);
+    gl_.disable(GL_BLEND);
+    gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    program_.use();
+    setCamera(program_, uniforms);
+    program_.set("cutPlanes", uniforms.cutPlanes);
+    buffer_.draw();
+    gl_.finish();
+    read(uniforms, surfaces);
+}
+
+void SurfacePass::read(const SphereUniforms& uniforms, Surfaces& surfaces)
+{
+    const auto pixels =
+        static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
+    gl_.pixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (std::size_t i = 0; i < colours_.size(); ++i)
+    {
+        colours_[i].resize(pixels);
+        gl_.readBuffer(kColourTargets[i]);
+        gl_.readPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                       colours_[i].data());
+    }
+    depth_.resize(pixels);
+    gl_.readPixels(0, 0, size_.width, size_.height, GL_DEPTH_COMPONENT, GL_FLOAT, depth_.data());
+    // Window depth is A0 + B / distance in perspective, linear without.
+    const double a = orthographic_ ? 0 : double{uniforms.depthAtInfinity};
+    const double b = 0.5 * double{uniforms.projection[3][2]};
+    const double slope = -0.5 * double{uniforms.projection[2][2]};
+    surfaces.resize(size_);
+    for (std::size_t i = 0; i < pixels; ++i)
+    {
+        const double depth = double{depth_[i]};
+        const double distance = orthographic_ ? (depth - 0.5 - b) / slope : b / (depth - a);
+        const auto pixel = static_cast<int>(i);
+        surfaces.set(pixel % size_.width, pixel / size_.width,
+                     depth < 1 ? static_cast<float>(distance) : Surfaces::kNothing, colours_[0][i],
+                     colours_[1][i]);
+    }
 }
 
 } // namespace frostfill

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Room: programs of OpenGL that draw one kind of thing: spheres, the shell, the ground. A
-// pass draws what it is given and keeps no history.
+// Room: programs of OpenGL that draw one kind of thing: spheres, the shell, the ground, depth,
+// normals, identities. A pass draws what it is given and keeps no history.
 #pragma once
 
 #include "render/context/gl.hpp"
 #include "render/context/shader.hpp"
 #include "render/picture/sphere_instance.hpp"
+#include "render/picture/surfaces.hpp"
 
 #include <frostfill/view.hpp>
 
@@ -60,6 +61,35 @@ public:
 private:
     const GlFunctions& gl_;
     ShaderProgram program_;
+};
+
+/// Draws the spheres once more, one sample a pixel, for what they are and not how they look. Needs
+/// nothing of the picture, so it does not matter how that was drawn.
+class SurfacePass
+{
+public:
+    SurfacePass(const GlFunctions& gl, const ShaderVariant& variant, const PictureSize& size);
+    ~SurfacePass();
+    SurfacePass(const SurfacePass&) = delete;
+    SurfacePass& operator=(const SurfacePass&) = delete;
+
+    [[nodiscard]] const PictureSize& size() const { return size_; }
+    /// Leaves another framebuffer bound than before.
+    void draw(std::span<const SphereInstance> spheres, const SphereUniforms& uniforms,
+              Surfaces& surfaces);
+
+private:
+    void read(const SphereUniforms& uniforms, Surfaces& surfaces);
+
+    const GlFunctions& gl_;
+    PictureSize size_;
+    bool orthographic_;
+    ShaderProgram program_;
+    SphereBuffer buffer_;
+    GLuint framebuffer_ = 0;
+    std::array<GLuint, 3> renderbuffers_{};             ///< normal, identity, depth
+    std::array<std::vector<std::uint32_t>, 2> colours_; ///< normals, identities
+    std::vector<float> depth_;
 };
 
 } // namespace frostfill

@@ -8,6 +8,7 @@
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
 #include "render/picture/drawn_shell.hpp"
+#include "render/picture/surfaces.hpp"
 
 #include <frostfill/image.hpp>
 #include <frostfill/renderer.hpp>
@@ -68,8 +69,6 @@ public:
     /// As Viewpoint has them.
     void lookFrom(const Camera& camera);
     void turn(double degrees);
-    /// Looks at the object where it is in the snapshot.
-    void follow(const Snapshot& snapshot);
 
     /// Draws and waits until it is done. Returns the parts of the picture that may differ from the
     /// one before, until the next call. `image` has the picture after readBack().
@@ -77,6 +76,9 @@ public:
     /// RGB or, where the background is not opaque, RGBA; top row first. What lies outside of
     /// `parts` is left alone in a picture of this shape.
     virtual void readBack(Image& image, std::span<const PixelRectangle> parts) = 0;
+    /// What is seen of the spheres, in a picture of any size with the same view.
+    virtual void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                              Surfaces& surfaces) = 0;
     /// On one line.
     [[nodiscard]] virtual const std::string& description() const = 0;
 
@@ -92,6 +94,8 @@ protected:
     {
         return shell_.follow(snapshot.polygons);
     }
+    /// Looks at the object where it is in the snapshot.
+    void follow(const Snapshot& snapshot);
 
 private:
     /// The framing has changed: nothing of the picture before can be kept.

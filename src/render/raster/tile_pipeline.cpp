@@ -14,6 +14,75 @@
 
 namespace frostfill
 {
+namespace
+{
+
+/// Of a tile; `inPicture` is the part of it that is. What bulges out nearer than `nearest`, where
+/// the picture begins, is as far as that, as OpenGL has it.
+void write(const SampleTile* tile, const PixelRectangle& inPicture, const TilePart& part,
+           bool orthographic, float nearest, Surfaces& surfaces)
+{
+    for (int y = inPicture.bottom; y < inPicture.top; ++y)
+    {
+        for (int x = inPicture.left; x < inPicture.right; ++x)
+        {
+            const int pixel = (y - part.bottom) * kTileEdge + x - part.left;
+            const auto at = static_cast<std::size_t>(pixel);
+            const float near = tile != nullptr ? tile->inverseDepth[0][at] : kNothing;
+            if (near == kNothing)
+            {
+                surfaces.set(x, y, Surfaces::kNothing, 0, 0);
+                continue;
+            }
+            surfaces.set(x, y, std::max(orthographic ? -near : 1 / near, nearest),
+                         tile->colour[0][at], tile->colour[SphereRaster::kIdentities][at]);
+        }
+    }
+}
+
+/// Draws spheres for what they are and not how they look, as SurfacePass does. The view's raster is
+/// one of surfaces.
+void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView& view,
+                         const Framing& framing, const PictureSize& size, Surfaces& surfaces)
+{
+    const std::vector<std::uint32_t> order = nearestFirst(spheres, framing);
+    std::vector<SphereInstance> sorted(spheres.size());
+    std::vector<SphereBounds> placed(spheres.size());
+    forAll(sorted.size(), kSpheresPerTask,
+           [&](std::size_t i)
+           {
+               sorted[i] = spheres[order[i]];
+               if (sorted[i].radius > 0) // it waits for its fall else
+               {
+                   placed[i] = view.place(sorted[i]);
+               }
+           });
+    const TileGrid grid(size);
+    TileLists lists(grid);
+    for (std::uint32_t i = 0; i < sorted.size(); ++i)
+    {
+        lists.list(i, placed[i].pixels);
+    }
+    const auto nearest =
+        static_cast<float>(depthLimits(framing.projection, framing.orthographic).nearest);
+    surfaces.resize(size);
+    tbb::parallel_for(std::size_t{0}, grid.count(),
+                      [&](std::size_t t)
+                      {
+                          const TilePart part = grid.part(t);
+                          RestingTile tile({}, 1);
+                          for (const std::uint32_t sphere : lists[t])
+                          {
+                              tile.list(sphere, placed[sphere].nearest);
+                          }
+                          tile.repaint(view.raster, {sorted, placed, {}}, part, true);
+                          write(tile.samples(), grid.inPicture(part), part, framing.orthographic,
+                                nearest, surfaces);
+                      });
+}
+
+} // namespace
+
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings)
     : PictureBackend(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
       strokes_(strokesFor(settings, mesh.triangles.size())),
@@ -73,6 +142,16 @@ void TilePipeline::useFraming()
         }
     }
     stale_ = true;
+}
+
+void TilePipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                                Surfaces& surfaces)
+{
+    follow(snapshot);
+    const SphereUniforms uniforms = uniformsOf(framing(), viewpoint().settings());
+    const TileView view{SphereRaster::ofSurfaces(uniforms, variant_, size),
+                        SphereProjector(framing(), size)};
+    drawSurfacesInTiles(placeSpheres(snapshot, framing()), view, framing(), size, surfaces);
 }
 
 const std::string& TilePipeline::description() const

@@ -33,6 +33,8 @@ public:
     const std::vector<PixelRectangle>& draw(const Snapshot& snapshot, Image& image) override;
     /// It is there already.
     void readBack(Image& /*image*/, std::span<const PixelRectangle> /*parts*/) override {}
+    void drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
+                      Surfaces& surfaces) override;
     [[nodiscard]] const std::string& description() const override;
 
 private:

@@ -2,8 +2,8 @@
 // Which samples of a pixel spheres cover, as OpenGL and as tiles draw them, against a ray caster.
 #include "render/picture/painter_settings.hpp"
 #include "render/picture/picture_backend.hpp"
+#include "render/picture/surfaces.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
-#include "render/raster/surface_tiles.hpp"
 #include "support/drawn_with.hpp"
 #include "support/pictures.hpp"
 #include "unit/render/passes/ray_caster.hpp"

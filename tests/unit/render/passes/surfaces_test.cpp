@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Depth, normals and identities against a ray caster.
+// Depth, normals, identities, and what of light neighbours keep off by them, as OpenGL and as tiles
+// draw them, against a ray caster.
+#include "render/picture/surfaces.hpp"
+
 #include "render/picture/painter_settings.hpp"
-#include "render/picture/picture_backend.hpp"
-#include "render/raster/surface_tiles.hpp"
+#include "render/pipeline.hpp"
+#include "render/raster/tile_pipeline.hpp"
 #include "support/drawn_with.hpp"
 #include "support/expect_error.hpp"
 #include "support/pictures.hpp"
@@ -117,28 +120,45 @@ void expectThoseOfTheRayCaster(const RenderSettings& settings, int count = 60,
     const Eigen::Vector3d middle(100, -40, 7);
     const TriangleMesh mesh = boxMesh({1, 0.8, 0.6}, middle);
     const Snapshot snapshot = cloud(middle, count, smallest, largest);
-    const Viewpoint viewpoint(mesh, settings);
-    const Framing& framing = viewpoint.framing();
-    RenderSettings own = settings;
-    own.size = {240, 160}; // not that of the picture
-    Surfaces surfaces;
-    drawSurfaces(snapshot, framing, own, surfaces);
-    const Apart apart = apartFromRays(surfaces, framing, settings, snapshot);
-    EXPECT_GT(apart.covered, 4000U) << "the scene proves little";
-    EXPECT_LT(apart.onEdge, apart.covered / 50) << "the scene proves little";
-    EXPECT_LT(apart.doubtful, apart.covered / 7) << "the scene proves little";
-    EXPECT_EQ(apart.wrong, 0U);
-    EXPECT_LT(apart.distance, kDepthOfSurface);
-    EXPECT_LE(apart.normal, 0.52); // half is rounding
+    const PictureSize size{240, 160}; // not that of the picture
+    const auto expect = [&](auto&& pipeline, const Framing& framing)
+    {
+        Surfaces surfaces;
+        pipeline.drawSurfaces(snapshot, size, surfaces);
+        const Apart apart = apartFromRays(surfaces, framing, settings, snapshot);
+        EXPECT_GT(apart.covered, 4000U) << "the scene proves little";
+        EXPECT_LT(apart.onEdge, apart.covered / 50) << "the scene proves little";
+        EXPECT_LT(apart.doubtful, apart.covered / 7) << "the scene proves little";
+        EXPECT_EQ(apart.wrong, 0U);
+        EXPECT_LT(apart.distance, kDepthOfSurface);
+        EXPECT_LE(apart.normal, 0.52); // half is rounding
+    };
+    if (const std::optional<Backend> openGl = test::openGl())
+    {
+        SCOPED_TRACE("OpenGL");
+        RenderSettings own = settings;
+        own.backend = *openGl;
+        Pipeline pipeline(mesh, own);
+        expect(pipeline, pipeline.framing());
+    }
+    {
+        SCOPED_TRACE("tiles");
+        TilePipeline pipeline(mesh, settings);
+        expect(pipeline, pipeline.framing());
+    }
 }
 
 TEST(SurfacesAgainstRays, AreExactInPerspectiveAndWithout)
 {
-    for (const bool orthographic : {false, true})
+    for (const int samples : {1, 4})
     {
-        RenderSettings settings;
-        settings.camera.orthographic = orthographic;
-        expectThoseOfTheRayCaster(settings);
+        for (const bool orthographic : {false, true})
+        {
+            RenderSettings settings;
+            settings.samples = samples;
+            settings.camera.orthographic = orthographic;
+            expectThoseOfTheRayCaster(settings);
+        }
     }
 }
 
@@ -188,8 +208,8 @@ TEST(PassPictures, RefuseIdentitiesThatDoNotFitUnlessNoneIsWanted)
     surfaces.distance = {0.5F};
     surfaces.normal = {{128, 128, 255}};
     surfaces.identity = {0xffffff};
-    const Viewpoint viewpoint(boxMesh({1, 1, 1}), smallPicture(Look::clean));
-    const Framing& framing = viewpoint.framing();
+    const TilePipeline pipeline(boxMesh({1, 1, 1}), smallPicture(Look::clean));
+    const Framing& framing = pipeline.framing();
     PassPictures pictures;
     makePassPictures(surfaces, framing, pictures);
     EXPECT_EQ(pictures.identity.pixels, (std::vector<std::uint8_t>{255, 255, 255}));
