@@ -39,7 +39,7 @@ flat out vec4 tintAndSteepness; // the sphere's own colour, e (r without perspec
 flat out vec4 hazeAndPixel; // what is added to the colour, a pixel's length in the sphere's radius
 flat out vec4 marks; // strength of gloss, of the ring, of the hatch and of the stripe
 flat out vec3 stripeAxis; // what the stripe is square to [eye space]
-flat out uint identity; // index of the sphere
+flat out vec4 identity; // bytes of it, for surface.frag
 
 #ifdef STUDIO
 const bool kStudio = true;
@@ -64,7 +64,7 @@ void setColours(vec3 centre, float pixel)
 
 void main()
 {
-    identity = uint(gl_VertexID) / 4u;
+    identity = sphereColour;
     corner = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1);
     vec3 centre = (view * vec4(sphere.xyz, 1.0)).xyz;
     float radius = sphere.w;

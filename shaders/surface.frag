@@ -6,7 +6,7 @@ in vec2 corner;
 in vec3 onPlane;
 flat in vec4 centreAndCurvature;
 flat in vec4 tintAndSteepness;
-flat in uint identity;
+flat in vec4 identity;
 
 uniform mat4 projection;
 uniform float depthAtInfinity;
@@ -49,6 +49,5 @@ void main()
     normal = met.capped ? normalize(plane.xyz) : normal;
 #endif
     normalColour = vec4(0.5 + 0.5 * normal, 1.0);
-    uvec4 bytes = (uvec4(identity + 1u) >> uvec4(0u, 8u, 16u, 24u)) & 255u;
-    identityColour = vec4(bytes) / 255.0;
+    identityColour = identity;
 }

@@ -32,8 +32,7 @@ Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
       gl_(loadGlFunctions(*context_)), description_(describe(*context_, gl_)),
       framebuffer_(gl_, wanted.size.width, wanted.size.height, wanted.samples),
       painter_(gl_, mesh, shell(), viewpoint().settings(), framing(), samplePositions()),
-      projector_(framing(), wanted.size), dirty_(wanted.size.width, wanted.size.height),
-      covered_(dirty_)
+      projector_(framing(), wanted.size)
 {
     if (wanted.staticLayer)
     {
@@ -92,7 +91,7 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Imag
     renewStencil();
     const SphereDrawList::Changes& changes =
         drawList_.update(snapshot, framing(), viewpoint().colours());
-    const auto polygonParts = painter_.setPolygons(shellStates(snapshot));
+    const PixelRectangle polygons = painter_.setPolygons(followShell(snapshot), shell().states());
     const bool startAgain = stale_ || changes.everything;
     if (startAgain && drawList_.resting().size() >= kSortFrom)
     {
@@ -100,20 +99,20 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Imag
     }
     stale_ = false;
     updateSphereOcclusion(changes, startAgain);
-    dirty_.clear();
+    dirty_ = {};
     if (layer_)
     {
-        updateLayer(changes, polygonParts, startAgain);
+        updateLayer(changes, polygons, startAgain);
         drawOverLayer();
     }
     else
     {
         drawEverything();
     }
-    const std::vector<PixelRectangle>& parts = dirty_.joined();
-    framebuffer_.resolve(parts);
+    framebuffer_.resolve(dirty_);
     gl_.finish();
-    return parts;
+    renewed_.assign(dirty_.empty() ? 0 : 1, dirty_);
+    return renewed_;
 }
 
 void Pipeline::updateSphereOcclusion(const SphereDrawList::Changes& changes, bool startAgain)
@@ -132,23 +131,27 @@ void Pipeline::drawEverything()
     painter_.paintSpheres(drawList_.resting());
     painter_.paintSpheres(drawList_.running());
     painter_.paintShell();
-    dirty_.addAll();
+    dirty_ = framebuffer_.whole();
 }
 
-void Pipeline::updateLayer(const SphereDrawList::Changes& changes,
-                           std::span<const PixelRectangle> polygonParts, bool startAgain)
+void Pipeline::addDirty(const PixelRectangle& part)
+{
+    dirty_ = around(dirty_, common(part, framebuffer_.whole()));
+}
+
+void Pipeline::updateLayer(const SphereDrawList::Changes& changes, const PixelRectangle& polygons,
+                           bool startAgain)
 {
     if (startAgain)
     {
         layer_->rebuild(painter_, projector_, drawList_.resting());
-        dirty_.addAll();
+        dirty_ = framebuffer_.whole();
         return;
     }
-    covered_.clear();
-    covered_.add(polygonParts);
+    PixelRectangle covered = polygons; // of the layer, by what is drawn anew
     for (const std::size_t index : changes.recoloured)
     {
-        covered_.add(layer_->visiblePart(index));
+        covered = around(covered, layer_->visiblePart(index));
     }
     if (SphereOcclusion* sphereOcclusion = painter_.sphereOcclusion())
     {
@@ -157,25 +160,25 @@ void Pipeline::updateLayer(const SphereDrawList::Changes& changes,
         { return !layer_->visiblePart(index).empty(); };
         for (const std::uint32_t index : sphereOcclusion->refresh(isSeen))
         {
-            covered_.add(layer_->visiblePart(index));
+            covered = around(covered, layer_->visiblePart(index));
         }
     }
-    dirty_.add(running_);
-    if (!covered_.empty())
+    addDirty(running_);
+    if (!covered.empty())
     {
-        layer_->repaint(painter_, drawList_.resting().first(changes.firstArrival),
-                        covered_.joined(), framebuffer_, dirty_);
+        addDirty(layer_->repaint(painter_, drawList_.resting().first(changes.firstArrival), covered,
+                                 framebuffer_));
     }
     if (changes.firstArrival < drawList_.resting().size())
     {
-        layer_->add(painter_, projector_, drawList_.resting(), changes.firstArrival, dirty_);
+        addDirty(layer_->add(painter_, projector_, drawList_.resting(), changes.firstArrival));
     }
 }
 
 void Pipeline::drawOverLayer()
 {
-    framebuffer_.restore(layer_->framebuffer(), dirty_.joined());
-    running_.clear();
+    framebuffer_.restore(layer_->framebuffer(), dirty_);
+    running_ = {};
     spheres_.clear();
     parts_.clear();
     for (const SphereInstance& sphere : drawList_.running())
@@ -183,14 +186,14 @@ void Pipeline::drawOverLayer()
         const ProjectedSphere seen = projector_.project(sphere);
         if (!layer_->hides(seen))
         {
-            running_.push_back(seen.pixels);
+            running_ = around(running_, seen.pixels);
             parts_.push_back({seen.pixels, seen.furthestDepth});
             spheres_.push_back(sphere);
         }
     }
     framebuffer_.bind();
     painter_.addSpheres(spheres_, parts_);
-    dirty_.add(running_);
+    addDirty(running_);
 }
 
 void Pipeline::renewStencil()
@@ -228,16 +231,12 @@ void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, S
 {
     context_->makeCurrent();
     follow(snapshot);
-    const auto found = std::find_if(surfacePasses_.begin(), surfacePasses_.end(),
-                                    [&](const std::unique_ptr<SurfacePass>& pass) {
-                                        return pass->size().width == size.width &&
-                                               pass->size().height == size.height;
-                                    });
-    SurfacePass& pass = found != surfacePasses_.end()
-                            ? **found
-                            : *surfacePasses_.emplace_back(std::make_unique<SurfacePass>(
-                                  gl_, shapesOnly(painter_.variant()), size));
-    pass.draw(placeSpheres(snapshot, framing()), painter_.uniforms(), surfaces);
+    if (!surfacePass_ || surfacePass_->size().width != size.width ||
+        surfacePass_->size().height != size.height)
+    {
+        surfacePass_ = std::make_unique<SurfacePass>(gl_, shapesOnly(painter_.variant()), size);
+    }
+    surfacePass_->draw(placeSpheres(snapshot, framing()), painter_.uniforms(), surfaces);
 }
 
 std::vector<double> Pipeline::readDepth()

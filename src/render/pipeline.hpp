@@ -51,8 +51,10 @@ private:
     void useShell() override;
     void updateSphereOcclusion(const SphereDrawList::Changes& changes, bool startAgain);
     void drawEverything();
-    void updateLayer(const SphereDrawList::Changes& changes,
-                     std::span<const PixelRectangle> polygonParts, bool startAgain);
+    void updateLayer(const SphereDrawList::Changes& changes, const PixelRectangle& polygons,
+                     bool startAgain);
+    /// What lies in the picture has to be renewed, too.
+    void addDirty(const PixelRectangle& part);
     void drawOverLayer();
     void renewStencil();
 
@@ -63,15 +65,15 @@ private:
     ScenePainter painter_;
     std::optional<StaticLayer> layer_;
     std::optional<SwatchRaster> swatches_;
+    std::unique_ptr<SurfacePass> surfacePass_; ///< of the size that was asked for last
     SphereProjector projector_;
     SphereDrawList drawList_;
     bool stale_ = true;                   ///< nothing of the picture before can be kept
-    DirtyRectangles dirty_;               ///< parts of the picture that differ from the one before
-    DirtyRectangles covered_;             ///< parts of the layer that are drawn anew
-    std::vector<PixelRectangle> running_; ///< where spheres that run were drawn over the layer
+    PixelRectangle dirty_;                ///< the part that differs from the picture before
+    PixelRectangle running_;              ///< where spheres that run were drawn over the layer
     std::vector<SphereInstance> spheres_; ///< that run and can be seen
     std::vector<PicturePart> parts_;      ///< [spheres_] where
-    std::vector<std::unique_ptr<SurfacePass>> surfacePasses_; ///< one for each size
+    std::vector<PixelRectangle> renewed_; ///< what draw() returns
 };
 
 } // namespace frostfill

@@ -8,13 +8,11 @@
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cctype>
 #include <string>
-#include <type_traits>
 
 namespace frostfill
 {

@@ -86,31 +86,27 @@ void Framebuffer::bind() const
     gl_.viewport(0, 0, width_, height_);
 }
 
-void Framebuffer::restore(const Framebuffer& from, std::span<const PixelRectangle> rectangles) const
+void Framebuffer::restore(const Framebuffer& from, const PixelRectangle& part) const
 {
     gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffers_[0]);
     gl_.bindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[0]);
-    for (const auto& [left, bottom, right, top] : rectangles)
+    copy(part, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+}
+
+void Framebuffer::resolve(const PixelRectangle& part) const
+{
+    if (samples_ > 1)
     {
-        gl_.blitFramebuffer(left, bottom, right, top, left, bottom, right, top,
-                            GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT,
-                            GL_NEAREST);
+        gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[0]);
+        gl_.bindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[1]);
+        copy(part, GL_COLOR_BUFFER_BIT);
     }
 }
 
-void Framebuffer::resolve(std::span<const PixelRectangle> rectangles) const
+void Framebuffer::copy(const PixelRectangle& part, GLbitfield what) const
 {
-    if (samples_ == 1)
-    {
-        return;
-    }
-    gl_.bindFramebuffer(GL_READ_FRAMEBUFFER, framebuffers_[0]);
-    gl_.bindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffers_[1]);
-    for (const auto& [left, bottom, right, top] : rectangles)
-    {
-        gl_.blitFramebuffer(left, bottom, right, top, left, bottom, right, top, GL_COLOR_BUFFER_BIT,
-                            GL_NEAREST);
-    }
+    const auto& [left, bottom, right, top] = part;
+    gl_.blitFramebuffer(left, bottom, right, top, left, bottom, right, top, what, GL_NEAREST);
 }
 
 void Framebuffer::readColour(Image& image, std::span<const PixelRectangle> rectangles,

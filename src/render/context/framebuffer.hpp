@@ -30,9 +30,9 @@ public:
     [[nodiscard]] int samples() const { return samples_; }
 
     /// Copies colour, depth and stencil from a framebuffer of the same shape.
-    void restore(const Framebuffer& from, std::span<const PixelRectangle> rectangles) const;
-    /// Averages the samples, after which these parts of the picture can be read.
-    void resolve(std::span<const PixelRectangle> rectangles) const;
+    void restore(const Framebuffer& from, const PixelRectangle& part) const;
+    /// Averages the samples, after which this part of the picture can be read.
+    void resolve(const PixelRectangle& part) const;
     /// RGB, or of premultiplied colours RGBA with straight alpha, top row first. Leaves the rest of
     /// the picture as it is if it has the right shape.
     void readColour(Image& image, std::span<const PixelRectangle> rectangles, bool withAlpha);
@@ -43,6 +43,8 @@ public:
     [[nodiscard]] PixelRectangle whole() const { return {0, 0, width_, height_}; }
 
 private:
+    /// From the framebuffer that is bound for reading to the one for drawing.
+    void copy(const PixelRectangle& part, GLbitfield what) const;
     void attach(GLuint framebuffer, GLenum attachment, GLuint renderbuffer, GLenum format,
                 int samples) const;
 

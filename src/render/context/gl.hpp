@@ -79,6 +79,7 @@ constexpr GLenum GL_STREAM_DRAW = 0x88E0;
 constexpr GLenum GL_TRIANGLES = 0x0004;
 constexpr GLenum GL_UNSIGNED_BYTE = 0x1401;
 constexpr GLenum GL_UNSIGNED_INT = 0x1405;
+constexpr GLenum GL_UNSIGNED_INT_8_8_8_8_REV = 0x8367;
 constexpr GLenum GL_UNSIGNED_INT_24_8 = 0x84FA;
 constexpr GLenum GL_UNSIGNED_SHORT = 0x1403;
 constexpr GLenum GL_VENDOR = 0x1F00;
@@ -120,7 +121,6 @@ class Context;
     X(deleteVertexArrays, void(GLsizei, const GLuint*))                                            \
     X(depthMask, void(GLboolean))                                                                  \
     X(disable, void(GLenum))                                                                       \
-    X(drawArrays, void(GLenum, GLint, GLsizei))                                                    \
     X(drawBuffers, void(GLsizei, const GLenum*))                                                   \
     X(drawElements, void(GLenum, GLsizei, GLenum, const void*))                                    \
     X(drawElementsBaseVertex, void(GLenum, GLsizei, GLenum, const void*, GLint))                   \
@@ -150,7 +150,6 @@ class Context;
     X(stencilFunc, void(GLenum, GLint, GLuint))                                                    \
     X(stencilOp, void(GLenum, GLenum, GLenum))                                                     \
     X(uniform1f, void(GLint, GLfloat))                                                             \
-    X(uniform1i, void(GLint, GLint))                                                               \
     X(uniform2fv, void(GLint, GLsizei, const GLfloat*))                                            \
     X(uniform3fv, void(GLint, GLsizei, const GLfloat*))                                            \
     X(uniform4fv, void(GLint, GLsizei, const GLfloat*))                                            \

@@ -92,11 +92,6 @@ GLint ShaderProgram::location(const char* name) const
     return gl_.getUniformLocation(program_, name);
 }
 
-void ShaderProgram::set(const char* name, int value) const
-{
-    gl_.uniform1i(location(name), value);
-}
-
 void ShaderProgram::set(const char* name, float value) const
 {
     gl_.uniform1f(location(name), value);

@@ -34,7 +34,6 @@ public:
     void use() const { gl_.useProgram(program_); }
 
     /// Set while the program is in use; a name that the compiler has optimised away is ignored.
-    void set(const char* name, int value) const;
     void set(const char* name, float value) const;
     void set(const char* name, const glm::vec3& value) const;
     void set(const char* name, std::span<const glm::vec2> values) const;

@@ -15,10 +15,9 @@ namespace frostfill
 
 Watchdog::Watchdog(std::chrono::milliseconds patience, std::string message, int exitCode)
 {
-    const auto watch = [this, patience, text = std::move(message) + "\n", exitCode]
+    auto watch = [over = over_.get_future(), patience, text = std::move(message) + "\n", exitCode]
     {
-        std::unique_lock lock(mutex_);
-        if (!ended_.wait_for(lock, patience, [this] { return over_; }))
+        if (over.wait_for(patience) == std::future_status::timeout)
         {
             std::ignore = writeAll(
                 STDERR_FILENO, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
@@ -27,7 +26,7 @@ Watchdog::Watchdog(std::chrono::milliseconds patience, std::string message, int 
     };
     try
     {
-        thread_ = std::thread(watch);
+        thread_ = std::thread(std::move(watch));
     }
     catch (const std::system_error&)
     {
@@ -37,16 +36,11 @@ Watchdog::Watchdog(std::chrono::milliseconds patience, std::string message, int 
 
 Watchdog::~Watchdog()
 {
-    if (!thread_.joinable())
+    if (thread_.joinable())
     {
-        return;
+        over_.set_value();
+        thread_.join();
     }
-    {
-        const std::lock_guard lock(mutex_);
-        over_ = true;
-    }
-    ended_.notify_all();
-    thread_.join();
 }
 
 } // namespace frostfill

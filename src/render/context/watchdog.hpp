@@ -2,8 +2,7 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <future>
 #include <string>
 #include <thread>
 
@@ -22,9 +21,7 @@ public:
     Watchdog& operator=(const Watchdog&) = delete;
 
 private:
-    std::mutex mutex_;
-    std::condition_variable ended_;
-    bool over_ = false;
+    std::promise<void> over_;
     std::thread thread_;
 };
 

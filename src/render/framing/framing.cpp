@@ -438,6 +438,14 @@ Framing posed(const Framing& framing, const Pose& pose, const Eigen::Vector3d& o
     return result;
 }
 
+DepthLimits depthLimits(const glm::dmat4& projection, bool orthographic)
+{
+    const double a = projection[2][2];
+    const double b = projection[3][2];
+    return orthographic ? DepthLimits{(b + 1) / a, (b - 1) / a}
+                        : DepthLimits{b / (a - 1), b / (a + 1)};
+}
+
 std::vector<glm::vec3> inUnitSpace(const TriangleMesh& mesh, const Framing& framing)
 {
     std::vector<glm::vec3> positions;

@@ -75,6 +75,13 @@ inline constexpr double kUsualAzimuth = 30;
 /// [degree].
 [[nodiscard]] Framing revolved(const Framing& framing, const Eigen::Vector3d& up, double degrees);
 
+/// Nearest and furthest distance that a projection shows, in unit space.
+struct DepthLimits
+{
+    double nearest, furthest;
+};
+[[nodiscard]] DepthLimits depthLimits(const glm::dmat4& projection, bool orthographic);
+
 /// Vertices of a mesh in unit space.
 [[nodiscard]] std::vector<glm::vec3> inUnitSpace(const TriangleMesh& mesh, const Framing& framing);
 

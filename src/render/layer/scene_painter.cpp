@@ -13,87 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 namespace frostfill
 {
-
-namespace
-{
-
-/// Pixels whose renewal costs as much as the calls for one more rectangle.
-constexpr std::int64_t kCallCost = 2500;
-
-/// With more rectangles than this, looking for pairs costs more than it saves.
-constexpr std::size_t kMaxRectangles = 256;
-
-bool worthJoining(const PixelRectangle& a, const PixelRectangle& b)
-{
-    return a.overlaps(b) || around(a, b).area() <= a.area() + b.area() + kCallCost;
-}
-
-/// One sweep over all pairs; returns whether any was joined.
-bool joinPairs(std::vector<PixelRectangle>& rectangles)
-{
-    bool changed = false;
-    for (std::size_t i = 0; i < rectangles.size(); ++i)
-    {
-        for (std::size_t k = i + 1; k < rectangles.size();)
-        {
-            if (!worthJoining(rectangles[i], rectangles[k]))
-            {
-                ++k;
-                continue;
-            }
-            rectangles[i] = around(rectangles[i], rectangles[k]);
-            rectangles[k] = rectangles.back();
-            rectangles.pop_back();
-            changed = true;
-        }
-    }
-    return changed;
-}
-
-} // namespace
-
-void DirtyRectangles::add(const PixelRectangle& rectangle)
-{
-    const PixelRectangle inside = common(rectangle, picture_);
-    if (!inside.empty())
-    {
-        rectangles_.push_back(inside);
-    }
-}
-
-void DirtyRectangles::add(std::span<const PixelRectangle> rectangles)
-{
-    for (const PixelRectangle& rectangle : rectangles)
-    {
-        add(rectangle);
-    }
-}
-
-void DirtyRectangles::addAll()
-{
-    rectangles_.assign(1, picture_);
-}
-
-const std::vector<PixelRectangle>& DirtyRectangles::joined()
-{
-    if (rectangles_.size() > kMaxRectangles)
-    {
-        PixelRectangle all;
-        for (const PixelRectangle& rectangle : rectangles_)
-        {
-            all = around(all, rectangle);
-        }
-        rectangles_.assign(1, all);
-    }
-    while (joinPairs(rectangles_))
-    {
-    }
-    return rectangles_;
-}
 
 namespace
 {
@@ -119,7 +41,7 @@ ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, cons
                   strokesFor(settings).lineWidth),
       meshPass_(gl, variant_, shellPalette(settings_.style),
                 strokesFor(settings, mesh.triangles.size())),
-      spheres_(gl, variant_.occlusion), regions_(settings.size.width, settings.size.height)
+      spheres_(gl, variant_.occlusion)
 {
     if (variant_.cutaway)
     {
@@ -161,35 +83,16 @@ void ScenePainter::setShell(const DrawnShell& shell)
 
 void ScenePainter::findBounds()
 {
-    constexpr double kMargin = 1.5;      // of which only a sample is covered [pixel]
-    constexpr double kDepthSlack = 1e-5; // what single precision may do to a window depth
-    const PixelRectangle picture = {0, 0, settings_.size.width, settings_.size.height};
-    const glm::dvec2 pixels(settings_.size.width, settings_.size.height);
-    const glm::dmat4 toClip = framing_.projection * framing_.view;
+    const SphereProjector projector(framing_, settings_.size);
     bounds_.clear();
     for (std::size_t t = 0; t < shaded_.triangles.size(); ++t)
     {
-        glm::dvec3 low(1e9);
-        glm::dvec3 high(-1e9);
-        bool meetsEye = false;
-        for (const glm::vec3& corner : shaded_.corners(t))
-        {
-            const glm::dvec4 clip = toClip * glm::dvec4(corner, 1.0);
-            meetsEye = meetsEye || clip.w <= 1e-6;
-            const glm::dvec3 point =
-                (glm::dvec3(clip) / clip.w + 1.0) / 2.0 * glm::dvec3(pixels, 1.0);
-            low = glm::min(low, point);
-            high = glm::max(high, point);
-        }
-        const glm::dvec2 least = glm::clamp(glm::dvec2(low) - kMargin, -pixels, 2.0 * pixels);
-        const glm::dvec2 most = glm::clamp(glm::dvec2(high) + kMargin, -pixels, 2.0 * pixels);
-        const PixelRectangle around =
-            common({static_cast<int>(std::floor(least.x)), static_cast<int>(std::floor(least.y)),
-                    static_cast<int>(std::ceil(most.x)), static_cast<int>(std::ceil(most.y))},
-                   picture);
-        bounds_.push_back(meetsEye ? TriangleBounds{picture, -1}
-                                   : TriangleBounds{around.empty() ? PixelRectangle{} : around,
-                                                    static_cast<float>(low.z - kDepthSlack)});
+        const auto [a, b, c] = shaded_.corners(t);
+        const glm::vec3 middle = (a + b + c) / 3.0F;
+        const float reach = std::max(
+            {glm::distance(middle, a), glm::distance(middle, b), glm::distance(middle, c)});
+        bounds_.push_back(
+            projector.project({middle.x, middle.y, middle.z, 1.0001F * reach + 1e-6F, 0}));
     }
 }
 
@@ -217,17 +120,19 @@ void ScenePainter::lookFrom(const Framing& framing)
     }
 }
 
-std::span<const PixelRectangle> ScenePainter::setPolygons(std::span<const PolygonState> states)
+PixelRectangle ScenePainter::setPolygons(std::span<const std::uint32_t> changed,
+                                         std::span<const PolygonState> states)
 {
-    changed_.clear();
+    PixelRectangle part;
     if (shell_)
     {
-        for (const std::uint32_t triangle : shell_->update(states))
+        shell_->update(changed, states);
+        for (const std::uint32_t triangle : changed)
         {
-            changed_.push_back(bounds_[triangle].pixels);
+            part = around(part, bounds_[triangle].pixels);
         }
     }
-    return changed_;
+    return part;
 }
 
 void ScenePainter::clear()
@@ -327,10 +232,8 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
 
 void ScenePainter::paintShell()
 {
-    if (shell_)
-    {
-        meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection);
-    }
+    const PicturePart all{{0, 0, settings_.size.width, settings_.size.height}};
+    paintShell({&all, 1});
 }
 
 void ScenePainter::paintShell(std::span<const PicturePart> parts)
@@ -342,37 +245,15 @@ void ScenePainter::paintShell(std::span<const PicturePart> parts)
     chosen_.clear();
     for (std::uint32_t t = 0; t < bounds_.size(); ++t)
     {
-        const auto& [pixels, nearest] = bounds_[t];
-        const auto meets = [&pixels = pixels, nearest = nearest](const PicturePart& part)
-        { return nearest < part.furthest && pixels.overlaps(part.pixels); };
+        const auto meets = [&bounds = bounds_[t]](const PicturePart& part)
+        { return bounds.nearestDepth < part.furthest && bounds.pixels.overlaps(part.pixels); };
         if (std::any_of(parts.begin(), parts.end(), meets))
         {
             chosen_.push_back(t);
         }
     }
     shell_->choose(chosen_);
-    meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection, MeshPass::Triangles::chosen);
-}
-
-void ScenePainter::paintShellPerRegion(std::span<const PicturePart> parts)
-{
-    // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
-    // Mesa shades it there too before it finds no mark. The regions are disjoint, so that no pixel
-    // gets the surface twice.
-    regions_.clear();
-    for (const PicturePart& part : parts)
-    {
-        regions_.add(grown(part.pixels, kScissorMargin));
-    }
-    for (const PixelRectangle& region : regions_.joined())
-    {
-        regionParts_.clear();
-        std::copy_if(parts.begin(), parts.end(), std::back_inserter(regionParts_),
-                     [&](const PicturePart& part) { return part.pixels.overlaps(region); });
-        confine(region);
-        paintShell(regionParts_);
-    }
-    endConfinement();
+    meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection);
 }
 
 void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
@@ -390,7 +271,16 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     // Only what shows a new sphere has lost the surface over it; elsewhere it must not lie twice.
     gl_.stencilFunc(GL_EQUAL, stencilValue_, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    paintShellPerRegion(parts);
+    // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
+    // Mesa shades it there too before it finds no mark.
+    PixelRectangle region;
+    for (const PicturePart& part : parts)
+    {
+        region = around(region, grown(part.pixels, kScissorMargin));
+    }
+    confine(region);
+    paintShell(parts);
+    endConfinement();
     gl_.disable(GL_STENCIL_TEST);
 }
 

@@ -21,29 +21,6 @@
 namespace frostfill
 {
 
-/// The parts of a picture that have to be renewed: a few disjoint rectangles that cover all that
-/// were added. Each costs calls of OpenGL, so that near ones are joined, at the price of pixels
-/// between them that are renewed for nothing.
-class DirtyRectangles
-{
-public:
-    /// Takes the part of it that lies within the picture.
-    DirtyRectangles(int width, int height) : picture_{0, 0, width, height} {}
-
-    void clear() { rectangles_.clear(); }
-    void add(const PixelRectangle& rectangle);
-    void add(std::span<const PixelRectangle> rectangles);
-    void addAll();
-
-    /// Joins until the rectangles are disjoint and few, and returns them.
-    [[nodiscard]] const std::vector<PixelRectangle>& joined();
-    [[nodiscard]] bool empty() const { return rectangles_.empty(); }
-
-private:
-    PixelRectangle picture_;
-    std::vector<PixelRectangle> rectangles_;
-};
-
 /// With several samples a pixel Mesa leaves some of them out along the inside of a scissor
 /// rectangle's edges and draws some along the outside, so that it has to be larger than what is
 /// used of it, and what is not to be drawn to has to be still further away. [pixel]
@@ -70,8 +47,10 @@ public:
     void lookFrom(const Framing& framing);
     /// Shows another mesh as the shell from now on, before the next lookFrom().
     void setShell(const DrawnShell& shell);
-    /// Returns the parts of the picture where the shell has changed, until the next call.
-    std::span<const PixelRectangle> setPolygons(std::span<const PolygonState> states);
+    /// Takes the states of these triangles of the shell. Returns the part of the picture where they
+    /// are seen.
+    PixelRectangle setPolygons(std::span<const std::uint32_t> changed,
+                               std::span<const PolygonState> states);
 
     void clear();
     /// The studio's, where the camera looks down at it.
@@ -113,8 +92,6 @@ public:
 private:
     void findBounds();
     void paintSpheres(std::span<const SphereInstance> spheres, const SpherePass& pass);
-    /// paintShell, only in and closely around the parts.
-    void paintShellPerRegion(std::span<const PicturePart> parts);
     void setView(const Framing& framing);
 
     const GlFunctions& gl_;
@@ -133,21 +110,12 @@ private:
     SphereBuffer spheres_;
     ShadedMesh shaded_;
     std::unique_ptr<MeshBuffer> shell_;
-    /// Around a triangle in the picture, and a window depth that nothing of it is nearer than.
-    struct TriangleBounds
-    {
-        PixelRectangle pixels; ///< empty when it is out of view
-        float nearest;
-    };
-    std::vector<TriangleBounds> bounds_; ///< [#T] of the shell
-    std::vector<PicturePart> regionParts_;
-    std::vector<std::uint32_t> chosen_; ///< of them, for a part
-    std::vector<PixelRectangle> changed_;
+    std::vector<ProjectedSphere> bounds_; ///< [#T] around the triangles of the shell
+    std::vector<std::uint32_t> chosen_;   ///< of them, for a part
     std::vector<SphereInstance> shrunk_;
     std::vector<SphereInstance> whole_; ///< beside a cutaway
     std::vector<SphereInstance> cut_;   ///< by it
     float occluderShrink_ = 0;          ///< [pixel]
-    DirtyRectangles regions_;
     int stencilValue_ = 0;
 };
 

@@ -102,21 +102,22 @@ void StaticLayer::rebuild(ScenePainter& painter, const SphereProjector& projecto
     painter.paintShell();
 }
 
-void StaticLayer::add(ScenePainter& painter, const SphereProjector& projector,
-                      std::span<const SphereInstance> resting, std::size_t first,
-                      DirtyRectangles& dirty)
+PixelRectangle StaticLayer::add(ScenePainter& painter, const SphereProjector& projector,
+                                std::span<const SphereInstance> resting, std::size_t first)
 {
     projectSpheres(projector, resting, first, resting.size());
     framebuffer_.bind();
     painter.addSpheres(spheres_, parts_);
+    PixelRectangle drawn;
     for (const PicturePart& part : parts_)
     {
-        dirty.add(part.pixels);
+        drawn = around(drawn, part.pixels);
     }
     if (seen_.size() > 2 * seenAtLast_ + kFewArrivals)
     {
         forgetHidden(painter, projector, resting);
     }
+    return drawn;
 }
 
 void StaticLayer::forgetHidden(ScenePainter& painter, const SphereProjector& projector,
@@ -133,32 +134,28 @@ void StaticLayer::forgetHidden(ScenePainter& painter, const SphereProjector& pro
     seenAtLast_ = seen_.size();
 }
 
-void StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance> resting,
-                          std::span<const PixelRectangle> parts, const Framebuffer& scratch,
-                          DirtyRectangles& dirty)
+PixelRectangle StaticLayer::repaint(ScenePainter& painter, std::span<const SphereInstance> resting,
+                                    const PixelRectangle& wanted, const Framebuffer& scratch)
 {
-    for (const PixelRectangle& wanted : parts)
+    const PixelRectangle part = grown(wanted, kScissorMargin);
+    spheres_.clear();
+    for (const Seen& seen : seen_)
     {
-        const PixelRectangle part = grown(wanted, kScissorMargin);
-        dirty.add(grown(part, kScissorMargin));
-        spheres_.clear();
-        for (const Seen& seen : seen_)
+        if (seen.pixels.overlaps(part))
         {
-            if (seen.pixels.overlaps(part))
-            {
-                spheres_.push_back(resting[seen.index]);
-            }
+            spheres_.push_back(resting[seen.index]);
         }
-        scratch.bind();
-        painter.confine(part);
-        painter.clear();
-        painter.paintGround();
-        painter.paintSpheres(spheres_);
-        const PicturePart all{part};
-        painter.paintShell({&all, 1});
-        painter.endConfinement();
-        framebuffer_.restore(scratch, {&wanted, 1});
     }
+    scratch.bind();
+    painter.confine(part);
+    painter.clear();
+    painter.paintGround();
+    painter.paintSpheres(spheres_);
+    const PicturePart all{part};
+    painter.paintShell({&all, 1});
+    painter.endConfinement();
+    framebuffer_.restore(scratch, wanted);
+    return grown(part, kScissorMargin);
 }
 
 PixelRectangle StaticLayer::visiblePart(std::size_t resting) const
@@ -192,36 +189,21 @@ void OcclusionMap::build(const PixelRectangle& part, std::span<const std::uint32
     assert(depths.size() == static_cast<std::size_t>(part.area()));
     known_ = true;
     // Blocks that are not all in the part hide nothing.
-    const int firstColumn = blocks(part.left);
-    const int columns = part.right / kBlock - firstColumn;
     std::fill(furthest_.begin(), furthest_.end(), 1.0F);
-    if (columns <= 0)
+    for (int y = blocks(part.bottom); y < part.top / kBlock; ++y)
     {
-        return;
-    }
-    ofBlockRow_.resize(static_cast<std::size_t>(columns));
-    for (int blockRow = blocks(part.bottom); blockRow < part.top / kBlock; ++blockRow)
-    {
-        std::fill(ofBlockRow_.begin(), ofBlockRow_.end(), 0);
-        for (int y = blockRow * kBlock; y < (blockRow + 1) * kBlock; ++y)
+        for (int x = blocks(part.left); x < part.right / kBlock; ++x)
         {
-            const std::uint32_t* row = depths.data() +
-                                       static_cast<std::ptrdiff_t>(y - part.bottom) * part.width() +
-                                       (firstColumn * kBlock - part.left);
-            for (std::int32_t& furthest : ofBlockRow_)
+            std::uint32_t furthest = 0;
+            for (int row = 0; row < kBlock; ++row)
             {
-                // Signed, for which every processor has a maximum of several at once.
-                const auto depth = [&](int x) { return static_cast<std::int32_t>(row[x] >> 8); };
-                furthest = std::max(
-                    furthest, std::max(std::max(depth(0), depth(1)), std::max(depth(2), depth(3))));
-                row += kBlock;
+                const std::uint32_t* from =
+                    depths.data() + std::ptrdiff_t{y * kBlock + row - part.bottom} * part.width() +
+                    (x * kBlock - part.left);
+                furthest = std::max(furthest, *std::max_element(from, from + kBlock));
             }
-        }
-        float* to =
-            furthest_.data() + static_cast<std::ptrdiff_t>(blockRow) * columns_ + firstColumn;
-        for (const std::int32_t furthest : ofBlockRow_)
-        {
-            *to++ = static_cast<float>(furthest / double{0xffffff});
+            furthest_[static_cast<std::size_t>(y * columns_ + x)] =
+                static_cast<float>((furthest >> 8) / double{0xffffff});
         }
     }
 }

@@ -34,8 +34,7 @@ public:
 private:
     int columns_;
     bool known_ = false;
-    std::vector<float> furthest_;          ///< [rows x columns]
-    std::vector<std::int32_t> ofBlockRow_; ///< [columns] the same, as integers
+    std::vector<float> furthest_; ///< [rows x columns]
 };
 
 /// The picture without the spheres that run: background, spheres at rest and shell, with
@@ -50,14 +49,13 @@ public:
     /// nearer the first of them are, the more is found to be hidden and left out.
     void rebuild(ScenePainter& painter, const SphereProjector& projector,
                  std::span<const SphereInstance> resting);
-    /// Draws `resting` from `first` on over what is there, and adds to `dirty` where.
-    void add(ScenePainter& painter, const SphereProjector& projector,
-             std::span<const SphereInstance> resting, std::size_t first, DirtyRectangles& dirty);
-    /// Draws these parts anew. `scratch` is a framebuffer of the same shape that is drawn to, in
-    /// the parts that are added to `dirty`.
-    void repaint(ScenePainter& painter, std::span<const SphereInstance> resting,
-                 std::span<const PixelRectangle> parts, const Framebuffer& scratch,
-                 DirtyRectangles& dirty);
+    /// Draws `resting` from `first` on over what is there. Returns where.
+    PixelRectangle add(ScenePainter& painter, const SphereProjector& projector,
+                       std::span<const SphereInstance> resting, std::size_t first);
+    /// Draws this part anew. `scratch` is a framebuffer of the same shape that is drawn to, in the
+    /// part that is returned.
+    PixelRectangle repaint(ScenePainter& painter, std::span<const SphereInstance> resting,
+                           const PixelRectangle& wanted, const Framebuffer& scratch);
 
     /// Where one of the spheres at rest may be seen; empty when it is hidden or out of view.
     [[nodiscard]] PixelRectangle visiblePart(std::size_t resting) const;

@@ -14,6 +14,22 @@ namespace frostfill
 namespace
 {
 
+/// Of two triangles for each cell of the ground.
+std::vector<std::uint32_t> cornersOf(const GroundShadow& ground)
+{
+    std::vector<std::uint32_t> corners;
+    const auto row = static_cast<std::uint32_t>(ground.cells) + 1;
+    for (std::uint32_t first = 0; first + row + 1 < ground.places.size(); ++first)
+    {
+        if ((first + 1) % row != 0)
+        {
+            corners.insert(corners.end(), {first, first + 1, first + row + 1, first,
+                                           first + row + 1, first + row});
+        }
+    }
+    return corners;
+}
+
 struct Vertex
 {
     glm::vec3 position;
@@ -37,7 +53,7 @@ std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
 } // namespace
 
 MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh)
-    : gl_(gl), triangles_(mesh.triangles.size()), held_(triangles_, PolygonState::active)
+    : gl_(gl), triangles_(mesh.triangles.size())
 {
     const std::vector<Vertex> vertices = verticesOf(mesh);
     gl.genVertexArrays(1, &array_);
@@ -52,8 +68,8 @@ MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh)
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[2]);
     gl.vertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, 4, nullptr);
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
-    staged_.assign(triangles_ * 3, static_cast<std::uint8_t>(PolygonState::active));
-    gl.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(staged_.size()), staged_.data(),
+    states_.assign(triangles_ * 3, static_cast<std::uint8_t>(PolygonState::active));
+    gl.bufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(states_.size()), states_.data(),
                   GL_DYNAMIC_DRAW);
     gl.vertexAttribIPointer(3, 1, GL_UNSIGNED_BYTE, 1, nullptr);
     for (GLuint attribute = 0; attribute < 4; ++attribute)
@@ -89,28 +105,20 @@ void MeshBuffer::setEdges(const std::vector<std::array<std::uint8_t, 3>>& edgeSt
                    GL_DYNAMIC_DRAW);
 }
 
-std::span<const std::uint32_t> MeshBuffer::update(std::span<const PolygonState> states)
+void MeshBuffer::update(std::span<const std::uint32_t> changed,
+                        std::span<const PolygonState> states)
 {
-    changed_.clear();
-    const std::size_t given = std::min(states.size(), triangles_);
-    for (std::size_t t = 0; t < triangles_; ++t)
+    if (changed.empty())
     {
-        const PolygonState state = t < given ? states[t] : PolygonState::active;
-        if (state != held_[t])
-        {
-            held_[t] = state;
-            std::fill_n(staged_.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
-                        static_cast<std::uint8_t>(state));
-            changed_.push_back(static_cast<std::uint32_t>(t));
-        }
+        return;
     }
-    if (!changed_.empty())
+    for (const std::uint32_t t : changed)
     {
-        gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
-        gl_.bufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(staged_.size()),
-                          staged_.data());
+        std::fill_n(states_.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
+                    static_cast<std::uint8_t>(states[t]));
     }
-    return changed_;
+    gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);
+    gl_.bufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(states_.size()), states_.data());
 }
 
 void MeshBuffer::choose(std::span<const std::uint32_t> triangles)
@@ -127,12 +135,6 @@ void MeshBuffer::choose(std::span<const std::uint32_t> triangles)
 }
 
 void MeshBuffer::draw() const
-{
-    gl_.bindVertexArray(array_);
-    gl_.drawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(triangles_ * 3));
-}
-
-void MeshBuffer::drawChosen() const
 {
     if (!indices_.empty())
     {
@@ -165,8 +167,8 @@ void MeshPass::setCutPlanes(const std::array<glm::vec4, 2>& planes) const
     program_.set("cutPlanes", planes);
 }
 
-void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,
-                    Triangles which) const
+void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view,
+                    const glm::mat4& projection) const
 {
     program_.use();
     program_.set("view", view);
@@ -180,23 +182,17 @@ void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::ma
     for (const bool fronts : {false, true})
     {
         gl_.cullFace(fronts ? GL_BACK : GL_FRONT);
-        if (which == Triangles::all)
-        {
-            mesh.draw();
-        }
-        else
-        {
-            mesh.drawChosen();
-        }
+        mesh.draw();
     }
     gl_.disable(GL_CULL_FACE);
     gl_.depthMask(GL_TRUE);
 }
 
 GroundPass::GroundPass(const GlFunctions& gl, const GroundShadow& ground)
-    : gl_(gl), program_(gl, "", embedded::shader_ground_vert(), embedded::shader_ground_frag()),
-      corners_(static_cast<GLsizei>(ground.corners.size()))
+    : gl_(gl), program_(gl, "", embedded::shader_ground_vert(), embedded::shader_ground_frag())
 {
+    const std::vector<std::uint32_t> corners = cornersOf(ground);
+    corners_ = static_cast<GLsizei>(corners.size());
     gl.genVertexArrays(1, &array_);
     gl.genBuffers(2, buffers_.data());
     gl.bindVertexArray(array_);
@@ -208,8 +204,8 @@ GroundPass::GroundPass(const GlFunctions& gl, const GroundShadow& ground)
     gl.enableVertexAttribArray(0);
     gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[1]);
     gl.bufferData(GL_ELEMENT_ARRAY_BUFFER,
-                  static_cast<GLsizeiptr>(ground.corners.size() * sizeof(std::uint32_t)),
-                  ground.corners.data(), GL_STATIC_DRAW);
+                  static_cast<GLsizeiptr>(corners.size() * sizeof(std::uint32_t)), corners.data(),
+                  GL_STATIC_DRAW);
 }
 
 GroundPass::~GroundPass()

@@ -31,13 +31,11 @@ public:
 
     /// How strongly edges are drawn, which depends on where they are looked at from.
     void setEdges(const std::vector<std::array<std::uint8_t, 3>>& edgeStrengths);
-    /// Takes the states of the triangles; those beyond the span's end are active. Returns which
-    /// triangles have changed, until the next call.
-    std::span<const std::uint32_t> update(std::span<const PolygonState> states);
-    /// The triangles that drawChosen draws.
+    /// Takes the states of these triangles; all are active before.
+    void update(std::span<const std::uint32_t> changed, std::span<const PolygonState> states);
+    /// The triangles that draw() draws.
     void choose(std::span<const std::uint32_t> triangles);
     void draw() const;
-    void drawChosen() const;
 
 private:
     const GlFunctions& gl_;
@@ -45,9 +43,7 @@ private:
     GLuint array_ = 0;
     std::array<GLuint, 4> buffers_{}; ///< shape; states; edges; indices of the chosen
     std::vector<std::array<std::uint8_t, 4>> edges_; ///< [#T x 3] the three; distance from a crease
-    std::vector<PolygonState> held_;                 ///< [#T] what OpenGL has
-    std::vector<std::uint8_t> staged_;               ///< [#T x 3]
-    std::vector<std::uint32_t> changed_;
+    std::vector<std::uint8_t> states_;               ///< [#T x 3]
     std::vector<std::uint32_t> indices_;
 };
 
@@ -61,15 +57,9 @@ public:
     /// Planes in eye space; see CutPlanes.
     void setCutPlanes(const std::array<glm::vec4, 2>& planes) const;
 
-    enum class Triangles
-    {
-        all,
-        chosen,
-    };
     /// Blends back faces, then front faces, over what is there; depth is tested and not written, so
     /// the spheres stay in charge.
-    void draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection,
-              Triangles which = Triangles::all) const;
+    void draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection) const;
 
 private:
     const GlFunctions& gl_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Room: programs that draw one kind of thing: spheres, the shell, depth, normals, identities. A
-// pass draws what it is given and keeps no history.
+// Room: programs of OpenGL that draw one kind of thing: spheres, the shell, the ground, depth,
+// normals, identities. A pass draws what it is given and keeps no history.
 #pragma once
 
 #include "render/context/gl.hpp"
@@ -87,8 +87,8 @@ private:
     ShaderProgram program_;
     SphereBuffer buffer_;
     GLuint framebuffer_ = 0;
-    std::array<GLuint, 3> renderbuffers_{}; ///< normal, identity, depth
-    std::vector<std::uint8_t> bytes_;
+    std::array<GLuint, 3> renderbuffers_{};             ///< normal, identity, depth
+    std::array<std::vector<std::uint32_t>, 2> colours_; ///< normals, identities
     std::vector<float> depth_;
 };
 

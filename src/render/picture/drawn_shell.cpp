@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace frostfill
 {
@@ -28,12 +29,18 @@ DrawnShell::DrawnShell(const TriangleMesh& mesh, const RenderSettings& settings,
     {
         dense_ = mesh;
         distance_ = wantedDistance(framing);
-        shell_ = simplifyWithin(dense_, distance_);
+        use(simplifyWithin(dense_, distance_));
     }
     else
     {
-        shell_.mesh = mesh;
+        use({mesh, {}, {}});
     }
+}
+
+void DrawnShell::use(SimplifiedShell shell)
+{
+    shell_ = std::move(shell);
+    states_.assign(shell_.mesh.triangles.size(), PolygonState::active);
 }
 
 /// A power of two [unit space] as a length of the mesh, so that it seldom changes when the camera
@@ -61,7 +68,7 @@ bool DrawnShell::lookFrom(const Framing& framing)
         return false;
     }
     distance_ = wanted;
-    shell_ = simplifyWithin(dense_, wanted);
+    use(simplifyWithin(dense_, wanted));
     return true;
 }
 
@@ -81,14 +88,23 @@ ShadedMesh DrawnShell::shaded(const Framing& framing, bool fadingLines) const
     return shadeMesh(shell_.mesh, inUnitSpace(shell_.mesh, framing), fadingLines, normals);
 }
 
-std::span<const PolygonState> DrawnShell::states(std::span<const PolygonState> polygons)
+std::span<const std::uint32_t> DrawnShell::follow(std::span<const PolygonState> polygons)
 {
-    if (shell_.isTrue() || polygons.empty())
+    if (!shell_.isTrue() && !polygons.empty())
     {
-        return polygons;
+        showPolygons(shell_, polygons, simplified_);
+        polygons = simplified_;
     }
-    showPolygons(shell_, polygons, states_);
-    return states_;
+    changed_.clear();
+    for (std::uint32_t t = 0; t < states_.size(); ++t)
+    {
+        const PolygonState now = t < polygons.size() ? polygons[t] : PolygonState::active;
+        if (std::exchange(states_[t], now) != now)
+        {
+            changed_.push_back(t);
+        }
+    }
+    return changed_;
 }
 
 } // namespace frostfill

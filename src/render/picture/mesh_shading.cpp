@@ -160,66 +160,31 @@ ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& pos
     return shaded;
 }
 
-EdgeStrengths::EdgeStrengths(const ShadedMesh& mesh)
-    : mesh_(mesh), plain_(3 * mesh.triangles.size()), strengths_(mesh.triangles.size()),
-      facesViewer_(mesh.triangles.size())
-{
-    for (const ShadedMesh::Edge& edge : mesh.edges)
-    {
-        const bool paired = edge.triangles[1] != ShadedMesh::Edge::kNone;
-        std::array<Side, 2> sides{};
-        for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)
-        {
-            sides[side] = 3 * edge.triangles[side] + edge.corners[side];
-            plain_[sides[side]] = edge.stray ? kPlain : std::max(edge.crease, kPlain);
-        }
-        if (paired)
-        {
-            pairs_.push_back(sides);
-        }
-    }
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    {
-        offsets_.push_back(
-            glm::dot(mesh.faceNormals[t], mesh.positions[mesh.triangles[t].front()]));
-    }
-    for (Side side = 0; side < plain_.size(); ++side)
-    {
-        strengths_[side / 3][side % 3] = plain_[side];
-    }
-}
-
-const std::vector<std::array<std::uint8_t, 3>>& EdgeStrengths::from(const glm::vec3& eye,
-                                                                    bool orthographic)
-{
-    for (std::size_t t = 0; t < facesViewer_.size(); ++t)
-    {
-        const float offset = orthographic ? 0 : offsets_[t];
-        facesViewer_[t] = glm::dot(mesh_.faceNormals[t], eye) > offset ? 1 : 0;
-    }
-    for (const Side side : outline_)
-    {
-        strengths_[side / 3][side % 3] = plain_[side];
-    }
-    outline_.clear();
-    for (const std::array<Side, 2>& pair : pairs_)
-    {
-        if (facesViewer_[pair[0] / 3] != facesViewer_[pair[1] / 3])
-        {
-            outline_.insert(outline_.end(), pair.begin(), pair.end());
-        }
-    }
-    for (const Side side : outline_)
-    {
-        strengths_[side / 3][side % 3] = kOutline;
-    }
-    return strengths_;
-}
-
 std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye,
                                                        bool orthographic)
 {
-    return EdgeStrengths(mesh).from(eye, orthographic);
+    std::vector<bool> facesViewer(mesh.triangles.size());
+    for (std::size_t t = 0; t < facesViewer.size(); ++t)
+    {
+        const glm::vec3& corner = mesh.positions[mesh.triangles[t].front()];
+        const float offset = orthographic ? 0 : glm::dot(mesh.faceNormals[t], corner);
+        facesViewer[t] = glm::dot(mesh.faceNormals[t], eye) > offset;
+    }
+    std::vector<std::array<std::uint8_t, 3>> strengths(mesh.triangles.size());
+    for (const ShadedMesh::Edge& edge : mesh.edges)
+    {
+        const auto& [first, second] = edge.triangles;
+        const bool paired = second != ShadedMesh::Edge::kNone;
+        const bool outline = paired && facesViewer[first] != facesViewer[second];
+        const std::uint8_t strength = outline      ? kOutline
+                                      : edge.stray ? kPlain
+                                                   : std::max(edge.crease, kPlain);
+        for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)
+        {
+            strengths[edge.triangles[side]][edge.corners[side]] = strength;
+        }
+    }
+    return strengths;
 }
 
 namespace

@@ -70,29 +70,6 @@ inline constexpr std::uint8_t kOutline = shading::kOutlineEdge;
 [[nodiscard]] std::vector<std::array<std::uint8_t, 3>>
 edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye, bool orthographic);
 
-/// The same from one eye after another: what is the same from everywhere is found out once.
-class EdgeStrengths
-{
-public:
-    /// `mesh` must stay.
-    explicit EdgeStrengths(const ShadedMesh& mesh);
-
-    /// Until the next call.
-    const std::vector<std::array<std::uint8_t, 3>>& from(const glm::vec3& eye, bool orthographic);
-
-private:
-    /// A side of a triangle: three times its number, plus the corner opposite.
-    using Side = std::uint32_t;
-
-    const ShadedMesh& mesh_;
-    std::vector<std::array<Side, 2>> pairs_;             ///< of the edges between two triangles
-    std::vector<std::uint8_t> plain_;                    ///< [3 #T] where no edge is outline
-    std::vector<std::array<std::uint8_t, 3>> strengths_; ///< [#T]
-    std::vector<Side> outline_;                          ///< where they differ
-    std::vector<float> offsets_;                         ///< [#T] of its plane, along its normal
-    std::vector<std::uint8_t> facesViewer_;              ///< [#T]
-};
-
 /// Marks creases that hang together with few others: where a scan is rough, single edges are bent
 /// as much as those of a box. `positions` are the mesh's vertices in unit space.
 void findStrayCreases(const std::vector<glm::vec3>& positions, ShadedMesh& shaded);

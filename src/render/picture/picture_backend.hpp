@@ -89,9 +89,10 @@ protected:
     [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
     /// Returns the mesh that is drawn as the shell.
     [[nodiscard]] const DrawnShell& shell() const { return shell_; }
-    [[nodiscard]] std::span<const PolygonState> shellStates(const Snapshot& snapshot)
+    /// Takes the states of its triangles. Returns which have changed, until the next call.
+    std::span<const std::uint32_t> followShell(const Snapshot& snapshot)
     {
-        return shell_.states(snapshot.polygons);
+        return shell_.follow(snapshot.polygons);
     }
     /// Looks at the object where it is in the snapshot.
     void follow(const Snapshot& snapshot);

@@ -52,7 +52,7 @@ std::optional<Studio> studioOf(const TriangleMesh& mesh, const RenderSettings& s
     {
         GroundShadow ground =
             groundShadow(mesh, inUnitSpace(mesh, framing), studio.up, studio.lamp);
-        if (!ground.corners.empty())
+        if (ground.cells > 0)
         {
             studio.ground = std::move(ground);
         }
@@ -201,7 +201,6 @@ GroundShadow groundShadow(const TriangleMesh& mesh, std::span<const glm::vec3> p
                       thrown.put(frame.flat(point) - height * shift, height);
                   });
     }
-    ground.cells = kCells;
     for (int y = 0; y <= kCells; ++y)
     {
         for (int x = 0; x <= kCells; ++x)
@@ -217,20 +216,9 @@ GroundShadow groundShadow(const TriangleMesh& mesh, std::span<const glm::vec3> p
             ground.places.emplace_back(point, (1 - light) * inside * inside * (3 - 2 * inside));
         }
     }
-    const auto at = [](int x, int y) { return static_cast<std::uint32_t>(y * (kCells + 1) + x); };
-    for (int y = 0; y < kCells; ++y)
-    {
-        for (int x = 0; x < kCells; ++x)
-        {
-            const std::array quad = {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)};
-            if (std::any_of(quad.begin(), quad.end(),
-                            [&](std::uint32_t i) { return ground.places[i].w > kMinShadow; }))
-            {
-                ground.corners.insert(ground.corners.end(),
-                                      {quad[0], quad[1], quad[2], quad[0], quad[2], quad[3]});
-            }
-        }
-    }
+    const bool anyDark = std::any_of(ground.places.begin(), ground.places.end(),
+                                     [](const glm::vec4& place) { return place.w > kMinShadow; });
+    ground.cells = anyDark ? kCells : 0;
     return ground;
 }
 

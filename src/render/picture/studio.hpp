@@ -21,11 +21,9 @@ namespace frostfill
 /// A level surface under an object, with the object's shadow. [unit space]
 struct GroundShadow
 {
-    int cells = 0;                      ///< of a square grid, along each edge
-    std::vector<glm::vec4> places;      ///< its corners: position, and how dark it is there, 0..1
-    std::vector<std::uint32_t> corners; ///< of triangles, three each, two for each cell but where
-                                        ///< nothing is dark
-    float level = 0;                    ///< of the surface along `up`
+    int cells = 0;                 ///< of a square grid, along each edge; 0: nothing is dark
+    std::vector<glm::vec4> places; ///< its corners: position, and how dark it is there, 0..1
+    float level = 0;               ///< of the surface along `up`
 };
 
 /// The shadow of a mesh that stands on its lowest point: soft, of a wide lamp, and of the sky that

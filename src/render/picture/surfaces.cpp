@@ -11,6 +11,26 @@
 namespace frostfill
 {
 
+void Surfaces::resize(const PictureSize& size)
+{
+    width = size.width;
+    height = size.height;
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    distance.resize(pixels);
+    normal.resize(pixels);
+    identity.resize(pixels);
+}
+
+void Surfaces::set(int x, int y, float inDistance, std::uint32_t withNormal, std::uint32_t ofSphere)
+{
+    const auto to = static_cast<std::size_t>(height - 1 - y) * static_cast<std::size_t>(width) +
+                    static_cast<std::size_t>(x);
+    distance[to] = inDistance;
+    normal[to] = {static_cast<std::uint8_t>(withNormal), static_cast<std::uint8_t>(withNormal >> 8),
+                  static_cast<std::uint8_t>(withNormal >> 16)};
+    identity[to] = ofSphere;
+}
+
 std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot, const Framing& framing)
 {
     const Eigen::Vector3f offset =
@@ -27,16 +47,12 @@ std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot, const Framing
                            snapshot.waits(i) ? 0 : snapshot.radii[i] * scale,
                            static_cast<std::uint32_t>(snapshot.states[i]),
                            {}});
+        for (std::size_t c = 0; c < 4; ++c)
+        {
+            spheres.back().colour[c] = static_cast<std::uint8_t>((i + 1) >> (8 * c));
+        }
     }
     return spheres;
-}
-
-DepthLimits depthLimits(const glm::dmat4& projection, bool orthographic)
-{
-    const double a = projection[2][2];
-    const double b = projection[3][2];
-    return orthographic ? DepthLimits{(b + 1) / a, (b - 1) / a}
-                        : DepthLimits{b / (a - 1), b / (a + 1)};
 }
 
 void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPictures& pictures)

@@ -25,18 +25,16 @@ struct Surfaces
     std::vector<float> distance; ///< [height x width] along the view, unit space; or kNothing
     std::vector<std::array<std::uint8_t, 3>> normal; ///< 0..255 for -1..1, in eye space
     std::vector<std::uint32_t> identity;             ///< index of the sphere + 1; or 0
+
+    /// Before set().
+    void resize(const PictureSize& size);
+    /// What is in a pixel, counted from below. A normal has x in its lowest byte.
+    void set(int x, int y, float inDistance, std::uint32_t withNormal, std::uint32_t ofSphere);
 };
 
-/// The spheres of a snapshot in unit space, by id, without colours.
+/// The spheres of a snapshot in unit space, by id. Each has its identity for a colour: the id + 1.
 [[nodiscard]] std::vector<SphereInstance> placeSpheres(const Snapshot& snapshot,
                                                        const Framing& framing);
-
-/// Nearest and furthest distance that a projection shows, in unit space.
-struct DepthLimits
-{
-    double nearest, furthest;
-};
-[[nodiscard]] DepthLimits depthLimits(const glm::dmat4& projection, bool orthographic);
 
 /// Surfaces in the form in which they are given out. `pictures` is reused.
 void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPictures& pictures);

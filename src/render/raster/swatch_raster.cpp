@@ -10,15 +10,6 @@
 
 namespace frostfill
 {
-namespace
-{
-
-/// Added to how near swatches are: more than anything else without perspective, and in single
-/// precision still finer than their shape needs.
-constexpr float kInFront = 1e5F;
-
-} // namespace
-
 SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& variant, int samples)
     : samples_(samples)
 {
@@ -29,7 +20,7 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& vari
     flat.supersample = static_cast<float>(settings.supersample);
     const float lineWidth = strokesFor(settings).lineWidth;
     raster_ = std::make_unique<SphereRaster>(flat, variantOfSwatches(variant), settings.size,
-                                             settings.style, lineWidth, samples, kInFront);
+                                             settings.style, lineWidth, samples);
     shapes_ = swatchShapes(legend, viewpoint.colours(), settings.size.height);
     for (const SphereInstance& sphere : shapes_.spheres)
     {
@@ -42,7 +33,7 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& vari
     ShellRaster& polygons = *(polygons_ = std::make_unique<ShellRaster>(
                                   shapes_.polygons, variantOfSwatches(variant),
                                   shellPalette(settings.style), strokesFor(settings), samples));
-    polygons.lookFrom(flat, true, settings.size, shapes_.strengths, 2 * kInFront);
+    polygons.lookFrom(flat, true, settings.size, shapes_.strengths);
     polygons.setStates(shapes_.states);
     triangles_ = polygons.inDrawingOrder();
     for (const std::uint32_t triangle : triangles_)
@@ -53,6 +44,14 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& vari
 
 void SwatchRaster::draw(const TilePart& part, SampleTile& tile)
 {
+    const PixelRectangle in = part.within(pixels_);
+    for (auto& plane : tile.inverseDepth)
+    {
+        for (int y = in.bottom; y < in.top; ++y)
+        {
+            std::fill_n(plane.begin() + y * kTileEdge + in.left, in.width(), kNothing);
+        }
+    }
     for (std::size_t i = 0; i < shapes_.spheres.size(); ++i)
     {
         raster_->draw(shapes_.spheres[i], placed_[i].pixels, part, tile);
@@ -81,7 +80,6 @@ void SwatchRaster::draw(Image& image)
                           const int at = y * kTileEdge + x;
                           for (std::size_t k = 0; k < kMaxTileSamples; ++k)
                           {
-                              tile->inverseDepth[k][static_cast<std::size_t>(at)] = kNothing;
                               tile->colour[k][static_cast<std::size_t>(at)] = premultiplied(colour);
                           }
                       }

@@ -17,26 +17,8 @@ namespace frostfill
 namespace
 {
 
-/// Nearest first, and each with its identity for a colour: the index + 1.
-std::vector<SphereInstance> withIdentities(std::span<const SphereInstance> spheres,
-                                           const Framing& framing)
-{
-    const std::vector<std::uint32_t> order = nearestFirst(spheres, framing);
-    std::vector<SphereInstance> result(spheres.size());
-    forAll(order.size(), kSpheresPerTask,
-           [&](std::size_t i)
-           {
-               result[i] = spheres[order[i]];
-               for (std::size_t c = 0; c < 4; ++c)
-               {
-                   result[i].colour[c] = static_cast<std::uint8_t>((order[i] + 1) >> (8 * c));
-               }
-           });
-    return result;
-}
-
-/// Of a tile, top row first; `inPicture` is the part of it that is. What bulges out nearer than
-/// `nearest`, where the picture begins, is as far as that, as OpenGL has it.
+/// Of a tile; `inPicture` is the part of it that is. What bulges out nearer than `nearest`, where
+/// the picture begins, is as far as that, as OpenGL has it.
 void write(const SampleTile* tile, const PixelRectangle& inPicture, const TilePart& part,
            bool orthographic, float nearest, Surfaces& surfaces)
 {
@@ -44,25 +26,16 @@ void write(const SampleTile* tile, const PixelRectangle& inPicture, const TilePa
     {
         for (int x = inPicture.left; x < inPicture.right; ++x)
         {
-            const auto to = static_cast<std::size_t>(surfaces.height - 1 - y) *
-                                static_cast<std::size_t>(surfaces.width) +
-                            static_cast<std::size_t>(x);
             const int pixel = (y - part.bottom) * kTileEdge + x - part.left;
             const auto at = static_cast<std::size_t>(pixel);
             const float near = tile != nullptr ? tile->inverseDepth[0][at] : kNothing;
             if (near == kNothing)
             {
-                surfaces.distance[to] = Surfaces::kNothing;
-                surfaces.normal[to] = {};
-                surfaces.identity[to] = 0;
+                surfaces.set(x, y, Surfaces::kNothing, 0, 0);
                 continue;
             }
-            surfaces.distance[to] = std::max(orthographic ? -near : 1 / near, nearest);
-            const std::uint32_t normal = tile->colour[0][at];
-            surfaces.normal[to] = {static_cast<std::uint8_t>(normal),
-                                   static_cast<std::uint8_t>(normal >> 8),
-                                   static_cast<std::uint8_t>(normal >> 16)};
-            surfaces.identity[to] = tile->colour[SphereRaster::kIdentities][at];
+            surfaces.set(x, y, std::max(orthographic ? -near : 1 / near, nearest),
+                         tile->colour[0][at], tile->colour[SphereRaster::kIdentities][at]);
         }
     }
 }
@@ -72,11 +45,13 @@ void write(const SampleTile* tile, const PixelRectangle& inPicture, const TilePa
 void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView& view,
                          const Framing& framing, const PictureSize& size, Surfaces& surfaces)
 {
-    const std::vector<SphereInstance> sorted = withIdentities(spheres, framing);
-    std::vector<SphereBounds> placed(sorted.size());
+    const std::vector<std::uint32_t> order = nearestFirst(spheres, framing);
+    std::vector<SphereInstance> sorted(spheres.size());
+    std::vector<SphereBounds> placed(spheres.size());
     forAll(sorted.size(), kSpheresPerTask,
            [&](std::size_t i)
            {
+               sorted[i] = spheres[order[i]];
                if (sorted[i].radius > 0) // it waits for its fall else
                {
                    placed[i] = view.place(sorted[i]);
@@ -90,13 +65,7 @@ void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView
     }
     const auto nearest =
         static_cast<float>(depthLimits(framing.projection, framing.orthographic).nearest);
-    surfaces.width = size.width;
-    surfaces.height = size.height;
-    const auto pixels =
-        static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    surfaces.distance.resize(pixels);
-    surfaces.normal.resize(pixels);
-    surfaces.identity.resize(pixels);
+    surfaces.resize(size);
     tbb::parallel_for(std::size_t{0}, grid.count(),
                       [&](std::size_t t)
                       {
@@ -139,11 +108,9 @@ void TilePipeline::useShell()
         return;
     }
     shaded_ = shell().shaded(framing(), variant_.fadingLines);
-    edges_.emplace(shaded_);
     shell_ = std::make_unique<ShellRaster>(
         shaded_, variant_, shellPalette(viewpoint().settings().style), strokes_, samples_);
-    shaded_.normals = {}; // both have what they need of these
-    shaded_.edges = {};
+    shaded_.normals = {}; // it has what it needs of these
     if (viewpoint().settings().staticLayer)
     {
         keptShell_ = std::make_unique<KeptShell>(*shell_, grid_.count());
@@ -162,9 +129,13 @@ void TilePipeline::useFraming()
     layer_->lookFrom(*view_, framing, uniforms);
     if (shell_)
     {
-        shell_->lookFrom(uniforms, framing.orthographic, size_,
-                         edges_->from(glm::vec3(framing.eye), framing.orthographic));
-        trianglesListed_ = false;
+        edges_ = edgeStrengths(shaded_, glm::vec3(framing.eye), framing.orthographic);
+        shell_->lookFrom(uniforms, framing.orthographic, size_, edges_);
+        triangles_.clear();
+        for (const std::uint32_t triangle : shell_->inDrawingOrder())
+        {
+            triangles_.list(triangle, shell_->bounds(triangle));
+        }
         if (keptShell_)
         {
             keptShell_->forget();
@@ -177,11 +148,10 @@ void TilePipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& siz
                                 Surfaces& surfaces)
 {
     follow(snapshot);
-    const Framing& framing = viewpoint().framing();
-    const SphereUniforms uniforms = uniformsOf(framing, viewpoint().settings());
+    const SphereUniforms uniforms = uniformsOf(framing(), viewpoint().settings());
     const TileView view{SphereRaster::ofSurfaces(uniforms, variant_, size),
-                        SphereProjector(framing, size)};
-    drawSurfacesInTiles(placeSpheres(snapshot, framing), view, framing, size, surfaces);
+                        SphereProjector(framing(), size)};
+    drawSurfacesInTiles(placeSpheres(snapshot, framing()), view, framing(), size, surfaces);
 }
 
 const std::string& TilePipeline::description() const
@@ -216,7 +186,12 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
     }
     if (shell_)
     {
-        for (const std::uint32_t triangle : shell_->setStates(shellStates(snapshot)))
+        const auto changed = followShell(snapshot);
+        if (!changed.empty())
+        {
+            shell_->setStates(shell().states());
+        }
+        for (const std::uint32_t triangle : changed)
         {
             const PixelRectangle pixels = shell_->bounds(triangle);
             grid_.each(pixels,
@@ -229,13 +204,6 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
                            }
                        });
         }
-    }
-    if (shell_ && !trianglesListed_)
-    {
-        triangles_.clear();
-        shell_->eachInDrawingOrder([&](std::uint32_t triangle)
-                                   { triangles_.list(triangle, shell_->bounds(triangle)); });
-        trianglesListed_ = true;
     }
     stale_ = false;
     layer_->follow(drawList_.resting(), drawList_.cells(), first);

@@ -53,11 +53,10 @@ private:
     int samples_;
     TileGrid grid_;
     ShadedMesh shaded_;
-    std::optional<EdgeStrengths> edges_; ///< of the shell
+    std::vector<std::array<std::uint8_t, 3>> edges_; ///< [#T] of the shell, for this camera
     std::unique_ptr<ShellRaster> shell_;
     std::unique_ptr<KeptShell> keptShell_; ///< unless everything is drawn each time
-    TileLists triangles_;                  ///< of the shell, for this camera, once needed
-    bool trianglesListed_ = false;
+    TileLists triangles_;                  ///< of the shell, for this camera
     std::optional<TileView> view_;
     std::optional<TileLayer> layer_;
     std::unique_ptr<SwatchRaster> swatches_;

@@ -77,7 +77,8 @@ TEST_F(DenseShell, HasTheStatesOfTheTrianglesAround)
     {
         states.push_back(isLow(mesh_, triangle) ? PolygonState::discarded : PolygonState::active);
     }
-    const auto shown = shell.states(states);
+    const std::size_t changed = shell.follow(states).size();
+    const auto shown = shell.states();
     ASSERT_EQ(shown.size(), shell.mesh().triangles.size());
     std::size_t low = 0;
     for (std::size_t t = 0; t < shown.size(); ++t)
@@ -87,7 +88,9 @@ TEST_F(DenseShell, HasTheStatesOfTheTrianglesAround)
         low += is ? 1 : 0;
     }
     EXPECT_GT(low, shown.size() / 3);
-    EXPECT_TRUE(shell.states({}).empty());
+    EXPECT_EQ(changed, low);
+    EXPECT_TRUE(shell.follow(states).empty());
+    EXPECT_EQ(shell.follow({}).size(), low) << "all are active again";
 }
 
 TEST_F(DenseShell, IsTheMeshWhereItsEdgesAreShownOrTrianglesAreFew)

@@ -24,23 +24,25 @@ using Frame = ShellRows;
 
 /// How far a point is from the cut in the picture, positive beyond it, where it is `nearness`,
 /// which changes by `nearX` and `nearY` from pixel to pixel. [pixel]
-FROSTFILL_INLINE Floats pixelsFromCut(const ShellCut& cut, Floats x, Floats y, Floats nearness,
+FROSTFILL_INLINE Floats pixelsFromCut(const Frame& f, Floats x, Floats y, Floats nearness,
                                       float nearX, float nearY)
 {
-    const Floats over = cut.orthographic ? all(1) : 1 / nearness;
-    const Floats rayX = cut.left + cut.perColumn * x;
-    const Floats rayY = cut.bottom + cut.perRow * y;
+    const PixelGrid& grid = f.grid;
+    const ShellCut& cut = f.cut;
+    const Floats over = grid.orthographic ? all(1) : 1 / nearness;
+    const Floats rayX = grid.left + grid.perColumn * x;
+    const Floats rayY = grid.bottom + grid.perRow * y;
     std::array<Floats, 2> depth;
     std::array<Floats, 2> slope;
     for (std::size_t i = 0; i < 2; ++i)
     {
         const auto& [a, b, c, d] = cut.planes[i];
         const Floats beside = a * rayX + b * rayY;
-        const Floats ahead = cut.orthographic ? beside + c * nearness : (beside - c) * over;
-        const Floats bySideX = cut.orthographic ? all(c * nearX) : -ahead * nearX;
-        const Floats bySideY = cut.orthographic ? all(c * nearY) : -ahead * nearY;
-        const Floats slopeX = (a * cut.perColumn + bySideX) * over;
-        const Floats slopeY = (b * cut.perRow + bySideY) * over;
+        const Floats ahead = grid.orthographic ? beside + c * nearness : (beside - c) * over;
+        const Floats bySideX = grid.orthographic ? all(c * nearX) : -ahead * nearX;
+        const Floats bySideY = grid.orthographic ? all(c * nearY) : -ahead * nearY;
+        const Floats slopeX = (a * grid.perColumn + bySideX) * over;
+        const Floats slopeY = (b * grid.perRow + bySideY) * over;
         depth[i] = ahead + d;
         slope[i] = abs(slopeX) + abs(slopeY);
     }
@@ -64,8 +66,9 @@ FROSTFILL_INLINE Floats curved(const Setup& s, const Frame& f, Floats x, Floats 
     const Floats ny = b0 * s.normals[0].y + b1 * s.normals[1].y + b2 * s.normals[2].y;
     const Floats nz = b0 * s.normals[0].z + b1 * s.normals[1].z + b2 * s.normals[2].z;
     const Floats length = 1 / root(max(nx * nx + ny * ny + nz * nz, 1e-12F));
-    const Floats rayX = f.left + f.perColumn * x;
-    const Floats rayY = f.bottom + f.perRow * y;
+    const bool parallel = f.grid.orthographic;
+    const Floats rayX = parallel ? Floats{} : f.grid.left + f.grid.perColumn * x;
+    const Floats rayY = parallel ? Floats{} : f.grid.bottom + f.grid.perRow * y;
     const Floats towards =
         (nz - nx * rayX - ny * rayY) * length / root(rayX * rayX + (1 + rayY * rayY));
     facing = abs(towards);
@@ -119,34 +122,6 @@ surfaceAndLine(const Setup& s, const Frame& f, Floats x, Floats y, Floats d0, Fl
         line = max(line, creaseLine(all(s.crease), away, all(s.pixelsOfCrease), f.lineWidth));
     }
     return {surface, line};
-}
-
-/// Columns of the row, in the tile, at which any sample may be inside; not yet in whole lanes.
-FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s,
-                                              const std::array<float, 3>& overAcross, float left,
-                                              float y, int first, int end)
-{
-    auto low = static_cast<float>(first);
-    auto high = static_cast<float>(end);
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        // A sample is at most 0.4 pixels from the middle; the distances have a slope of 1.
-        const float atLeft = s.across[i] * (left + 0.5F) + s.upwards[i] * y + s.from[i] + 0.6F;
-        if (s.across[i] > 1e-6F)
-        {
-            low = std::max(low, -atLeft * overAcross[i]);
-        }
-        else if (s.across[i] < -1e-6F)
-        {
-            high = std::min(high, -atLeft * overAcross[i] + 1);
-        }
-        else if (atLeft < 0)
-        {
-            high = low;
-        }
-    }
-    return low < high ? std::array{static_cast<int>(low), static_cast<int>(std::ceil(high))}
-                      : std::array{0, 0};
 }
 
 /// What there is on a triangle.
@@ -215,7 +190,7 @@ struct Painter
         Film film{surface.share, {}};
         if constexpr (detail == Detail::cut)
         {
-            const Floats away = pixelsFromCut(f.cut, x, y, nearness, nearX, nearY);
+            const Floats away = pixelsFromCut(f, x, y, nearness, nearX, nearY);
             const Floats left = leftOfCut(away);
             film = lineInFilm(f.print, surface.share, max(line, lineOfCut(away, f.lineWidth)));
             film.film *= left;
@@ -258,20 +233,10 @@ FROSTFILL_INLINE void drawRows(const Setup& setup, const Frame& frame, const Pix
 {
     Painter<samples, detail> painter(setup, frame, tile, record);
     const PixelRectangle rows = inWholeLanes(pixels);
-    const bool narrow = rows.width() <= kLanes; // to look for the columns takes longer
-    std::array<float, 3> overAcross;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-        overAcross[i] = narrow ? 0 : 1 / setup.across[i];
-    }
     for (int y = rows.bottom; y < rows.top; ++y)
     {
         const float yAt = static_cast<float>(part.bottom + y) + 0.5F;
-        const auto [from, to] =
-            narrow ? std::array{rows.left, rows.right}
-                   : columnsOf(painter.s, overAcross, static_cast<float>(part.left), yAt, rows.left,
-                               rows.right);
-        for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
+        for (int x = rows.left; x < rows.right; x += kLanes)
         {
             const int pixel = y * kTileEdge + x;
             painter.draw(static_cast<float>(part.left + x) + 0.5F + iota(), all(yAt),
@@ -370,19 +335,13 @@ ShellRaster::ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant,
 
 void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
                            const PictureSize& size,
-                           std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front)
+                           std::span<const std::array<std::uint8_t, 3>> edgeStrengths)
 {
     view_ = uniforms.view;
-    grid_ = pixelGrid(uniforms.projection, orthographic, size);
-    rows_ = {};
-    if (!orthographic)
-    {
-        rows_ = {grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
-    }
+    rows_.grid = pixelGrid(uniforms.projection, orthographic, size);
     rows_.lineWidth = strokes_.lineWidth;
     rows_.print = variant_.outlines;
-    rows_.cut = {orthographic, grid_.left, grid_.bottom, grid_.perColumn, grid_.perRow};
-    rows_.cut.steepest = shading::kSteepest * grid_.perRow;
+    rows_.cut.steepest = shading::kSteepest * rows_.grid.perRow;
     rows_.cut.steepestBefore = variant_.fadingLines ? rows_.cut.steepest : kAnySteepness;
     for (std::size_t i = 0; i < 2; ++i)
     {
@@ -391,33 +350,25 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
     }
     size_ = size;
     edges_ = edgeStrengths;
-    front_ = front;
     vertices_.resize(shape_.positions.size());
     forAll(vertices_.size(), kTrianglesPerTask, [&](std::size_t v) { placeVertex(v); });
     forAll(places_.size(), kTrianglesPerTask,
            [&](std::size_t t) { places_[t] = placeOf(static_cast<std::uint32_t>(t)); });
 }
 
-std::span<const std::uint32_t> ShellRaster::setStates(std::span<const PolygonState> states)
-{
-    changed_.clear();
-    const std::size_t given = std::min(states.size(), states_.size());
-    for (std::size_t t = 0; t < states_.size(); ++t)
-    {
-        const PolygonState state = t < given ? states[t] : PolygonState::active;
-        if (state != states_[t])
-        {
-            states_[t] = state;
-            changed_.push_back(static_cast<std::uint32_t>(t));
-        }
-    }
-    return changed_;
-}
-
 std::vector<std::uint32_t> ShellRaster::inDrawingOrder() const
 {
     std::vector<std::uint32_t> order;
-    eachInDrawingOrder([&](std::uint32_t t) { order.push_back(t); });
+    for (const bool front : {false, true})
+    {
+        for (std::uint32_t t = 0; t < places_.size(); ++t)
+        {
+            if (places_[t].front == front && !places_[t].empty())
+            {
+                order.push_back(t);
+            }
+        }
+    }
     return order;
 }
 

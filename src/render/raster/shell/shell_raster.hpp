@@ -20,13 +20,9 @@
 namespace frostfill
 {
 
-/// The planes of a cutaway before the camera. Where the ray through (x, y) meets the plane at
-/// distance 1, or the place itself without perspective, is (left + perColumn * x, bottom + perRow *
-/// y).
+/// The planes of a cutaway before the camera.
 struct ShellCut
 {
-    bool orthographic = false;
-    float left = 0, bottom = 0, perColumn = 0, perRow = 0;
     /// Of the distance from the cut, at distance 1: triangles that are seen edge-on end sharply at
     /// the cut. They would leave specks beyond it. [1 / pixel]
     float steepest = 0;
@@ -34,11 +30,10 @@ struct ShellCut
     std::array<std::array<float, 4>, 2> planes{}; ///< as CutPlanes, in eye space
 };
 
-/// What drawing a triangle needs beside it. The ray through (x, y) is (left + perColumn * x, bottom
-/// + perRow * y, -1).
+/// What drawing a triangle needs beside it.
 struct ShellRows
 {
-    float left = 0, bottom = 0, perColumn = 0, perRow = 0;
+    PixelGrid grid;
     float lineWidth = 1;
     bool print = false; ///< lines lie in the film and not over it
     ShellCut cut{};
@@ -76,12 +71,14 @@ public:
     ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant, const Palette& palette,
                 const MeshStrokes& strokes, int samples);
 
-    /// `edgeStrengths` must stay. `front` is added to what is near without perspective.
+    /// `edgeStrengths` must stay.
     void lookFrom(const SphereUniforms& uniforms, bool orthographic, const PictureSize& size,
-                  std::span<const std::array<std::uint8_t, 3>> edgeStrengths, float front = 0);
-    /// Takes the states of the triangles; those beyond the span's end are active. Returns which
-    /// triangles have changed, until the next call.
-    std::span<const std::uint32_t> setStates(std::span<const PolygonState> states);
+                  std::span<const std::array<std::uint8_t, 3>> edgeStrengths);
+    /// [#T] All are active before.
+    void setStates(std::span<const PolygonState> states)
+    {
+        states_.assign(states.begin(), states.end());
+    }
 
     /// Around the samples that a triangle may cover; empty if it covers none.
     [[nodiscard]] PixelRectangle bounds(std::uint32_t triangle) const
@@ -90,20 +87,6 @@ public:
     }
     /// Those that may cover a sample, whatever their state: first those that turn their backs to
     /// the viewer, then those that face the viewer.
-    template <class Visit>
-    void eachInDrawingOrder(Visit visit) const
-    {
-        for (const bool front : {false, true})
-        {
-            for (std::uint32_t t = 0; t < places_.size(); ++t)
-            {
-                if (const Place& place = places_[t]; place.front == front && !place.empty())
-                {
-                    visit(t);
-                }
-            }
-        }
-    }
     [[nodiscard]] std::vector<std::uint32_t> inDrawingOrder() const;
     /// Blends one after another. What spheres at rest hide may be left out. Several threads may
     /// draw, each into a tile of its own.
@@ -198,16 +181,13 @@ private:
     int samples_;
     std::array<std::array<Paint, 2>, 2> paints_; ///< [PolygonState][front]
     glm::mat4 view_{1};
-    PixelGrid grid_;
     ShellRows rows_{};
     PictureSize size_;
-    float front_ = 0;
     ShellVertices shape_;
     std::vector<Vertex> vertices_;                       ///< [shape_] for this camera
     std::span<const std::array<std::uint8_t, 3>> edges_; ///< [#T]
     std::vector<PolygonState> states_;                   ///< [#T]
     std::vector<Place> places_;                          ///< [#T] for this camera
-    std::vector<std::uint32_t> changed_;
 };
 
 /// Draws the shell tile by tile. Once it has drawn a tile's worth of pixels and nothing of the

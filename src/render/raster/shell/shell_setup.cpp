@@ -136,18 +136,19 @@ ShellVertices::ShellVertices(const ShadedMesh& mesh) : triangles(mesh.triangles)
 
 void ShellRaster::placeVertex(std::size_t index)
 {
+    const PixelGrid& grid = rows_.grid;
     const glm::vec3 eye(view_ * glm::vec4(shape_.positions[index], 1));
-    const double w = grid_.orthographic ? 1 : -eye.z;
+    const double w = grid.orthographic ? 1 : -eye.z;
     Vertex& vertex = vertices_[index];
-    vertex.corner = {(eye.x - double{grid_.left} * w) / grid_.perColumn,
-                     (eye.y - double{grid_.bottom} * w) / grid_.perRow, w};
-    vertex.height = grid_.orthographic ? eye.z + front_ : 1;
+    vertex.corner = {(eye.x - double{grid.left} * w) / grid.perColumn,
+                     (eye.y - double{grid.bottom} * w) / grid.perRow, w};
+    vertex.height = grid.orthographic ? eye.z : 1;
     const bool ahead = w > kAhead;
     vertex.pixel = ahead ? glm::dvec2(vertex.corner) / w : glm::dvec2(0);
     vertex.nearest = ahead ? static_cast<float>(vertex.height / w) : kNotAhead;
     vertex.normal = glm::mat3(view_) * shape_.normals[index];
     const float length = std::max(glm::length(vertex.normal), 1e-6F);
-    const glm::vec3 ray = grid_.orthographic ? glm::vec3(0, 0, -1) : glm::normalize(eye);
+    const glm::vec3 ray = grid.orthographic ? glm::vec3(0, 0, -1) : glm::normalize(eye);
     vertex.facing = -glm::dot(vertex.normal, ray) / length;
     const glm::vec3 unit = vertex.normal / length;
     const Floats light = lightInFilm(
@@ -294,7 +295,7 @@ void ShellRaster::cut(const std::array<glm::vec3, 3>& corners, Place& place) con
                    [&](const glm::vec3& corner)
                    { return glm::vec3(view_ * glm::vec4(corner, 1)); });
     const auto [nearest, furthest] = std::minmax({-eye[0].z, -eye[1].z, -eye[2].z});
-    const bool ahead = grid_.orthographic || nearest > 0;
+    const bool ahead = rows_.grid.orthographic || nearest > 0;
     float least = -kNothing; // of the depths at either plane: the smaller, all over it
     float most = -kNothing;
     for (std::size_t i = 0; i < 2; ++i)
@@ -305,7 +306,7 @@ void ShellRaster::cut(const std::array<glm::vec3, 3>& corners, Place& place) con
         most = std::min(most, high);
     }
     // How far from the cut its line and the end of the surface reach, and for rounding.
-    const float distance = grid_.orthographic ? 1 : furthest;
+    const float distance = rows_.grid.orthographic ? 1 : furthest;
     const float beyond = rows_.cut.steepest * distance;
     const float before = rows_.cut.steepestBefore * distance;
     place.cut = !ahead || most > -(1.5F * strokes_.lineWidth + 0.6F) * before - 1e-5F;

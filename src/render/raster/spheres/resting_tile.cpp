@@ -44,12 +44,8 @@ void RestingTile::paintGround(SampleTile& tile, const PixelRectangle& pixels) co
 
 bool RestingTile::lists(std::uint32_t sphere) const
 {
-    const auto isBefore = [](const Listed& a, std::uint32_t index) { return a.index < index; };
-    const auto isIt = [&](const Listed& a) { return a.index == sphere; };
-    const auto place = inOrder_
-                           ? std::lower_bound(spheres_.begin(), spheres_.end(), sphere, isBefore)
-                           : std::find_if(spheres_.begin(), spheres_.end(), isIt);
-    return place != spheres_.end() && place->index == sphere;
+    return std::any_of(spheres_.begin(), spheres_.end(),
+                       [&](const Listed& listed) { return listed.index == sphere; });
 }
 
 void RestingTile::start(const PixelRectangle& pixels)
@@ -139,7 +135,6 @@ void RestingTile::paintCells(const SphereRaster& raster, const RestingSpheres& r
             if (!whole.within(bounds.pixels).empty())
             {
                 paint(raster, resting, i, bounds, whole, cull);
-                inOrder_ = false;
             }
         }
     }

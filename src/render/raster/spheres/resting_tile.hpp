@@ -58,7 +58,6 @@ public:
     {
         spheres_.clear();
         cells_.clear();
-        inOrder_ = true;
     }
     /// The next cell of spheres at rest, the nearest first; they come before those in none.
     void listCell(std::uint32_t cell) { cells_.push_back(cell); }
@@ -144,7 +143,6 @@ private:
     std::size_t planes_;               ///< of samples that are drawn
     std::vector<Listed> spheres_;      ///< that may be seen
     std::vector<Listed> listed_;       ///< during repaint()
-    bool inOrder_ = true;              ///< they are ascending: none comes from a cell
     std::vector<std::uint32_t> cells_; ///< of which spheres are not listed yet
     std::unique_ptr<TileBackground> ground_;
     std::unique_ptr<SampleTile> samples_;

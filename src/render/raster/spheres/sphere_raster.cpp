@@ -197,37 +197,6 @@ FROSTFILL_INLINE void withLook(const SphereRaster::Drawn& drawn, Visit visit)
     }
 }
 
-/// More than a sample may be from the middle of its row. [pixel]
-constexpr float kRowSlack = 0.6F;
-
-/// Columns of the tile in which a row may meet the outline's inside, samples included: where
-/// (K D.R)^2 + (K D.A)^2 < (D.C)^2, which is quadratic in dx.
-FROSTFILL_INLINE std::array<int, 2> columnsOf(const Setup& s, float aboveRow, float alongRow,
-                                              const PixelRectangle& rows, float left)
-{
-    const float larger = 1 + kRowSlack * s.look.pixel;
-    const float along = alongRow * larger;
-    const float alongX = s.alongX * larger;
-    const float a = s.acrossX * s.acrossX + s.aboveX * s.aboveX - alongX * alongX;
-    const float b = aboveRow * s.aboveX - along * alongX;
-    const float c = aboveRow * aboveRow - along * along;
-    if (!(a > 0))
-    {
-        return {rows.left, rows.right}; // it reaches behind the eye
-    }
-    const float squared = b * b - a * c;
-    if (!(squared > 0))
-    {
-        return {0, 0};
-    }
-    const float middle = s.x - left - b / a;
-    const float half = std::sqrt(squared) / a;
-    const float low = std::max(middle - half - 1, static_cast<float>(rows.left));
-    const float high = std::min(middle + half + 1, static_cast<float>(rows.right));
-    return low < high ? std::array{static_cast<int>(low), static_cast<int>(std::ceil(high))}
-                      : std::array{0, 0};
-}
-
 template <int samples, Marks marks, class Look>
 FROSTFILL_INLINE void drawRows(const Setup& s, const Look& look, const PixelRectangle& rows,
                                const TilePart& part, SampleTile& tile)
@@ -237,9 +206,7 @@ FROSTFILL_INLINE void drawRows(const Setup& s, const Look& look, const PixelRect
         const float dy = static_cast<float>(part.bottom + y) + 0.5F - s.y;
         const float aboveRow = s.aboveY * dy;
         const float alongRow = s.along + s.alongY * dy;
-        const auto [from, to] =
-            columnsOf(s, aboveRow, alongRow, rows, static_cast<float>(part.left));
-        for (int x = from & ~(kLanes - 1); x < to; x += kLanes)
+        for (int x = rows.left; x < rows.right; x += kLanes)
         {
             const Floats dx = static_cast<float>(part.left + x) + 0.5F - s.x + iota();
             const Floats acrossK = s.acrossX * dx;

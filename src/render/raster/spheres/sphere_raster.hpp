@@ -36,11 +36,9 @@ public:
     /// Plane of a tile's colours that identities are left in.
     static constexpr std::size_t kIdentities = 1;
 
-    /// How SpherePass draws, for a size of the picture. `front` is added to the inverse depth
-    /// without perspective.
+    /// How SpherePass draws, for a size of the picture.
     SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& variant,
-                 const PictureSize& size, const Style& style, float lineWidth, int samples,
-                 float front = 0);
+                 const PictureSize& size, const Style& style, float lineWidth, int samples);
     /// For what spheres are and not how they look: one sample a pixel, for its colour where the
     /// sphere faces, and in another plane what SphereInstance::colour has, as a word.
     [[nodiscard]] static SphereRaster ofSurfaces(const SphereUniforms& uniforms,
@@ -170,7 +168,6 @@ private:
     float outline_;        ///< [pixel] for print
     glm::vec3 background_; ///< [0..1]
     int samples_;
-    float front_;
     std::array<float, 2> shown_; ///< distances ahead between which outlines are, as OpenGL clips
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is the same over one sphere is worked out here, once and not for every pixel.
-#include "render/picture/surfaces.hpp"
+#include "render/framing/framing.hpp"
 #include "render/raster/lanes/shading.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
 
@@ -42,11 +42,10 @@ PixelGrid pixelGrid(const glm::mat4& projection, bool orthographic, const Pictur
 
 SphereRaster::SphereRaster(const SphereUniforms& uniforms, const ShaderVariant& variant,
                            const PictureSize& size, const Style& style, float lineWidth,
-                           int samples, float front)
+                           int samples)
     : uniforms_(uniforms), grid_(pixelGrid(uniforms.projection, variant.orthographic, size)),
       cutaway_(variant.cutaway), print_(variant.outlines), studio_(variant.studio),
-      outline_(lineWidth), background_(toVector(style.palette.background)), samples_(samples),
-      front_(front)
+      outline_(lineWidth), background_(toVector(style.palette.background)), samples_(samples)
 {
     const auto [nearest, furthest] = depthLimits(uniforms.projection, variant.orthographic);
     shown_ = {static_cast<float>(nearest), static_cast<float>(furthest)};
@@ -98,7 +97,7 @@ bool SphereRaster::setUp(const SphereInstance& sphere, Axes& axes, Setup& setup)
         setup.along = 1;
         setup.alongX = setup.alongY = 0;
         setup.radiusOverDistance = 0;
-        setup.nearScale = centre.z + front_;
+        setup.nearScale = centre.z;
         setup.rise = radius;
         setup.leastAlong = 0;
         setup.mostAlong = 2;
@@ -187,7 +186,7 @@ float SphereRaster::nearest(const SphereInstance& sphere) const
         view[0][2] * sphere.x + view[1][2] * sphere.y + view[2][2] * sphere.z + view[3][2];
     if (grid_.orthographic)
     {
-        return z + 1.0001F * sphere.radius + 1e-5F + front_;
+        return z + 1.0001F * sphere.radius + 1e-5F;
     }
     const float ahead = -z - 1.0001F * sphere.radius;
     return ahead > 0 ? 1.00001F / ahead : std::numeric_limits<float>::max();

@@ -284,7 +284,7 @@ TEST(ShellVertices, AreSplitOnlyWhereNormalsDiffer)
     EXPECT_EQ(vertices.triangles[0], (std::array<std::uint32_t, 3>{0, 1, 2})) << "in their order";
 }
 
-TEST(EdgeStrengths, FromOneEyeAfterAnotherAreThoseFromEachAlone)
+TEST(EdgeStrengths, HaveTheOutlineThatEachEyeSees)
 {
     const TriangleMesh mesh = testing_support::torusMesh(1, 0.4, 30, 12);
     std::vector<glm::vec3> positions;
@@ -293,10 +293,9 @@ TEST(EdgeStrengths, FromOneEyeAfterAnotherAreThoseFromEachAlone)
         positions.emplace_back(vertex.x(), vertex.y(), vertex.z());
     }
     const ShadedMesh shaded = shadeMesh(mesh, positions);
-    EdgeStrengths strengths(shaded);
     for (const glm::vec3 eye : {glm::vec3(0, 0, 5), glm::vec3(3, 1, 2), glm::vec3(-4, 0, 0.5F)})
     {
-        const auto& now = strengths.from(eye, false);
+        const auto now = edgeStrengths(shaded, eye, false);
         std::size_t outlines = 0;
         for (const ShadedMesh::Edge& edge : shaded.edges)
         {
