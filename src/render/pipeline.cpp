@@ -98,7 +98,10 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Imag
         drawList_.sortFrontToBack(framing());
     }
     stale_ = false;
-    updateSphereOcclusion(changes, startAgain);
+    if (SphereOcclusion* sphereOcclusion = painter_.sphereOcclusion())
+    {
+        sphereOcclusion->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
+    }
     dirty_ = {};
     if (layer_)
     {
@@ -113,14 +116,6 @@ const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Imag
     gl_.finish();
     renewed_.assign(dirty_.empty() ? 0 : 1, dirty_);
     return renewed_;
-}
-
-void Pipeline::updateSphereOcclusion(const SphereDrawList::Changes& changes, bool startAgain)
-{
-    if (SphereOcclusion* sphereOcclusion = painter_.sphereOcclusion())
-    {
-        sphereOcclusion->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
-    }
 }
 
 void Pipeline::drawEverything()

@@ -49,7 +49,6 @@ private:
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
     void useFraming() override;
     void useShell() override;
-    void updateSphereOcclusion(const SphereDrawList::Changes& changes, bool startAgain);
     void drawEverything();
     void updateLayer(const SphereDrawList::Changes& changes, const PixelRectangle& polygons,
                      bool startAgain);
