@@ -87,7 +87,8 @@ double footOf(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up)
 std::vector<std::string> hintsOn(const Scene& scene, const LoadedMesh& mesh)
 {
     std::vector<std::string> hints;
-    if (!scene.object.load.cavity)
+    // Of a built-in object the inside is what spheres fill.
+    if (!scene.object.load.cavity && !isBuiltInMesh(scene.object.mesh))
     {
         hints.push_back(cavityHint(mesh.mesh, mesh.report));
     }
