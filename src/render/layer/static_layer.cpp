@@ -202,7 +202,8 @@ void OcclusionMap::build(const PixelRectangle& part, std::span<const std::uint32
                     (x * kBlock - part.left);
                 furthest = std::max(furthest, *std::max_element(from, from + kBlock));
             }
-            furthest_[static_cast<std::size_t>(y * columns_ + x)] =
+            furthest_[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
+                      static_cast<std::size_t>(x)] =
                 static_cast<float>((furthest >> 8) / double{0xffffff});
         }
     }

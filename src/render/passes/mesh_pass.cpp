@@ -114,7 +114,7 @@ void MeshBuffer::update(std::span<const std::uint32_t> changed,
     }
     for (const std::uint32_t t : changed)
     {
-        std::fill_n(states_.begin() + static_cast<std::ptrdiff_t>(3 * t), 3,
+        std::fill_n(states_.begin() + 3 * std::ptrdiff_t{t}, 3,
                     static_cast<std::uint8_t>(states[t]));
     }
     gl_.bindBuffer(GL_ARRAY_BUFFER, buffers_[1]);

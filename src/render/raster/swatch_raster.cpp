@@ -49,7 +49,8 @@ void SwatchRaster::draw(const TilePart& part, SampleTile& tile)
     {
         for (int y = in.bottom; y < in.top; ++y)
         {
-            std::fill_n(plane.begin() + y * kTileEdge + in.left, in.width(), kNothing);
+            std::fill_n(plane.begin() + std::ptrdiff_t{y} * kTileEdge + in.left, in.width(),
+                        kNothing);
         }
     }
     for (std::size_t i = 0; i < shapes_.spheres.size(); ++i)
