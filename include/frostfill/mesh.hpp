@@ -109,11 +109,6 @@ struct LoadMeshOptions
 /// The same with inspectMesh's report known.
 [[nodiscard]] MeshReport inspectInterior(const TriangleMesh& mesh, const MeshReport& report);
 
-/// A sentence if a closed mesh is the wall of a vessel, closed or open, so that its cavity stays
-/// empty: it names the options that fill the cavity. Empty for other meshes. `report` is that of
-/// the mesh.
-[[nodiscard]] std::string cavityHint(const TriangleMesh& mesh, const MeshReport& report);
-
 /// Reads a mesh file of a format that docs/meshes.md lists, the meshes of a folder, or files with
 /// '+' between their names, known by content first and then by the name's ending. Keeps every bit
 /// of the file's numbers and the order of its vertices and faces, cuts polygons into triangles,
@@ -145,6 +140,12 @@ struct LoadMeshOptions
 /// repairMesh).
 [[nodiscard]] LoadedMesh loadMesh(const std::string& nameOrFile,
                                   const LoadMeshOptions& options = {});
+
+/// A sentence if a closed mesh that loadMesh has read is the wall of a vessel, closed or open, so
+/// that its cavity stays empty: it names the options that fill the cavity. Empty for other meshes,
+/// and for built-in objects, whose inside is what spheres fill.
+[[nodiscard]] std::string cavityHint(const std::string& nameOrFile, const LoadMeshOptions& options,
+                                     const LoadedMesh& loaded);
 
 /// The paper's objects, "torus", "sphere", "cube" and "human", or a container: "cylinder:1,4".
 [[nodiscard]] bool isBuiltInMesh(std::string_view name);

@@ -184,7 +184,7 @@ int inspect(const MeshArguments& arguments)
         printReport("after repair", inspectInterior(loaded.mesh, loaded.report));
     }
     fmt::print("can be filled\n");
-    const std::string hint = scene.object.load.cavity ? "" : cavityHint(loaded.mesh, loaded.report);
+    const std::string hint = cavityHint(arguments.mesh, scene.object.load, loaded);
     fmt::print("{}{}", hint, hint.empty() ? "" : "\n");
     if (arguments.radius > 0)
     {

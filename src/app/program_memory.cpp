@@ -16,9 +16,9 @@ namespace
 {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
-/// From here on huge pages are asked for. Smaller: small arrays of a short run fill one in part.
+/// Arrays from this size on ask for huge pages. Smaller: those of a short run fill one in part.
 constexpr std::size_t kLarge = std::size_t{1} << 20;
-/// From here on memory goes back to the system when it is freed; what is smaller is used again.
+/// Arrays from this size on go back to the system when they are freed; smaller ones are used again.
 /// Larger: what is freed between arrays in use stays taken, at 32 MB a tenth of a large run.
 constexpr int kOfItsOwn = 4 << 20;
 
@@ -27,7 +27,7 @@ void askForHugePages(void* bytes, std::size_t size)
 {
     const std::size_t before = reinterpret_cast<std::uintptr_t>(bytes) % kHugePage;
     const std::size_t whole = (before + size + kHugePage - 1) / kHugePage * kHugePage;
-    // It is only advice: where the kernel does not take it, pages are small.
+    // This is only advice: where the kernel does not take it, pages are small.
     const int error = errno;
     madvise(static_cast<char*>(bytes) - before, whole, MADV_HUGEPAGE);
     errno = error;
@@ -39,8 +39,8 @@ void askForHugePages(void* bytes, std::size_t size)
 
 } // namespace
 
-// These replace those of the standard library. Its other forms call them, but for those of aligned
-// memory, which nothing large here uses.
+// These operators replace the standard library's, whose other forms call them. Only its forms for
+// aligned memory do not, and nothing large here uses those.
 void* operator new(std::size_t size)
 {
     void* const bytes = std::malloc(std::max<std::size_t>(size, 1));

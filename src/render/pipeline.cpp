@@ -143,7 +143,7 @@ void Pipeline::updateLayer(const SphereDrawList::Changes& changes, const PixelRe
         dirty_ = framebuffer_.whole();
         return;
     }
-    PixelRectangle covered = polygons; // of the layer, by what is drawn anew
+    PixelRectangle covered = polygons; // the part of the layer that is drawn anew
     for (const std::size_t index : changes.recoloured)
     {
         covered = around(covered, layer_->visiblePart(index));

@@ -52,7 +52,7 @@ private:
     void drawEverything();
     void updateLayer(const SphereDrawList::Changes& changes, const PixelRectangle& polygons,
                      bool startAgain);
-    /// What lies in the picture has to be renewed, too.
+    /// The part, as far as it lies in the picture, has to be renewed, too.
     void addDirty(const PixelRectangle& part);
     void drawOverLayer();
     void renewStencil();

@@ -86,12 +86,7 @@ double footOf(const TriangleMesh& mesh, const Eigen::AlignedBox3d& box, int up)
 /// on nothing, or it is as large as a house.
 std::vector<std::string> hintsOn(const Scene& scene, const LoadedMesh& mesh)
 {
-    std::vector<std::string> hints;
-    // Of a built-in object the inside is what spheres fill.
-    if (!scene.object.load.cavity && !isBuiltInMesh(scene.object.mesh))
-    {
-        hints.push_back(cavityHint(mesh.mesh, mesh.report));
-    }
+    std::vector<std::string> hints = {cavityHint(scene.object.mesh, scene.object.load, mesh)};
     const int up = static_cast<int>(scene.object.up);
     int axis = 0;
     const double along = mesh.opening.maxCoeff(&axis);

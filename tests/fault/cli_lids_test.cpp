@@ -266,6 +266,7 @@ TEST_F(OpenMeshes, ABuiltInContainerWithAHoleIsFilledWithoutAHint)
     const Answer answer = run("fill annulus:2,1.8,4 --count 5 --frames none --out a");
     EXPECT_EQ(answer.code, 0) << answer.errors;
     EXPECT_EQ(answer.errors.find("cavity"), std::string::npos) << answer.errors;
+    EXPECT_EQ(run("mesh annulus:2,1.8,4").output.find("cavity"), std::string::npos);
 }
 
 TEST_F(OpenMeshes, TheCavityOfACupIsFilledAndItsLidIsNoWall)

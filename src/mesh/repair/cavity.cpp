@@ -75,6 +75,13 @@ public:
         {
             return false;
         }
+        const auto isNear = [&](const Eigen::Vector3d& p)
+        {
+            const double toCorner = (a - p).norm(); // decides alone for most small triangles
+            return toCorner <= reach ||
+                   (toCorner <= reach + length &&
+                    (closestPointOnTriangle(p, a, b, c).point - p).norm() <= reach);
+        };
         for (int z = first[2]; z <= last[2]; ++z)
         {
             for (int y = first[1]; y <= last[1]; ++y)
@@ -82,14 +89,7 @@ public:
                 for (int x = first[0]; x <= last[0]; ++x)
                 {
                     char& state = state_[frame_.index(x, y, z)];
-                    const Eigen::Vector3d middle = frame_.centre(x, y, z);
-                    const double toCorner = (a - middle).norm(); // mostly decides for small ones
-                    if (state == kFree && toCorner - length <= reach &&
-                        (toCorner <= reach ||
-                         (closestPointOnTriangle(middle, a, b, c).point - middle).norm() <= reach))
-                    {
-                        state = kBlocked;
-                    }
+                    state = state == kFree && isNear(frame_.centre(x, y, z)) ? kBlocked : state;
                 }
             }
         }
@@ -269,14 +269,16 @@ Cavity findCavity(const TriangleMesh& walls)
     return cavity;
 }
 
-std::string cavityHint(const TriangleMesh& mesh, const MeshReport& report)
+std::string cavityHint(const std::string& nameOrFile, const LoadMeshOptions& options,
+                       const LoadedMesh& loaded)
 {
+    const MeshReport& report = loaded.report;
     const bool mayBeWalls = report.volume < kMostWalls * report.box.volume();
-    if (!mayBeWalls && report.components == 1)
+    if (options.cavity || isBuiltInMesh(nameOrFile) || (!mayBeWalls && report.components == 1))
     {
         return "";
     }
-    const Cavity cavity = findCavity(mesh);
+    const Cavity cavity = findCavity(loaded.mesh);
     const bool isVessel = mayBeWalls && cavity.volume > report.volume &&
                           cavity.areaOfLids < surfaceArea(cavity.surface);
     if (!cavity.hasClosedPart && !isVessel)

@@ -28,7 +28,7 @@ struct Surfaces
 
     /// Before set().
     void resize(const PictureSize& size);
-    /// What is in a pixel, counted from below. A normal has x in its lowest byte.
+    /// Sets a pixel; y counts from below. A normal has x in its lowest byte.
     void set(int x, int y, float inDistance, std::uint32_t withNormal, std::uint32_t ofSphere);
 };
 

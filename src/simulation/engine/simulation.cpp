@@ -213,8 +213,7 @@ SphereRecord Simulation::sphere(std::size_t id) const
 
 double Simulation::radius(std::size_t id) const
 {
-    const World& world = implementation_->world;
-    return world.spheres.radius(static_cast<std::uint32_t>(id)) * world.frame.length;
+    return recordOf(implementation_->world, id).radius;
 }
 
 std::vector<ColumnValues> Simulation::columns() const

@@ -54,8 +54,7 @@ Discards::Discards(World& world)
       isOff_(!isExact(world)),
       step_(static_cast<std::uint32_t>(std::max<std::size_t>(1, expectedCount(world) / kMarks)))
 {
-    // Beside each other in the tree, polygons can mostly be touched from one place.
-    for (const std::uint32_t k : world.surface.tree().order())
+    for (std::uint32_t k = 0; !isOff_ && k < world.polygons.size(); ++k)
     {
         polygons_.push_back({k, true, kUnknown});
     }
@@ -226,6 +225,7 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
         witness = part;
         return near.isNear(polygon, part);
     };
+    // Polygons follow each other in a mesh as they lie beside each other in the object.
     if (!std::isnan(before_.x()) && near.isNear(polygon, before_))
     {
         witness = before_;

@@ -38,7 +38,7 @@ const double kCupVolume = volumeOf({{0.95, 0.05}, {0.95, 2}}, kAbout);
 std::string hintOn(const TriangleMesh& mesh)
 {
     const LoadedMesh loaded = repairMesh(mesh, "vessel");
-    return cavityHint(loaded.mesh, loaded.report);
+    return cavityHint("vessel", {}, loaded);
 }
 
 TEST(Cavity, OfACupIsFilledUpToItsRim)
@@ -49,7 +49,7 @@ TEST(Cavity, OfACupIsFilledUpToItsRim)
     EXPECT_EQ(loaded.lidTriangles, kAbout - 2U);
     EXPECT_NEAR(loaded.opening.y(), volumeOf({{0.95, 0}, {0.95, 1}}, kAbout), 1e-9);
     EXPECT_EQ(loaded.asRead.triangles, cup().triangles.size());
-    EXPECT_EQ(cavityHint(cup(), inspectMesh(cup())),
+    EXPECT_EQ(cavityHint("cup", {}, repairMesh(cup(), "cup")),
               "the walls are filled, and not the cavity of volume 5.513 that they enclose; "
               "--cavity --lid fills the cavity");
 }
