@@ -267,9 +267,11 @@ std::unique_ptr<FrameRecorder> stoppableRecorder(const FillRequest& request, con
     return recorder;
 }
 
-/// Shows the last state, of a run that has come to its end.
-void drawTheRest(FrameRecorder& recorder, const RunState& last, const Simulation& simulation,
-                 const FillObserver& observer, std::size_t pictures)
+/// Shows the last state, of a run that has come to its end, and enters what was drawn. Returns the
+/// times that it took.
+StageTimes drawTheRest(FrameRecorder& recorder, const RunState& last, const Simulation& simulation,
+                       const FillRequest& request, const FillObserver& observer,
+                       std::size_t pictures, FillResult& result)
 {
     recorder.finish(last,
                     [&]
@@ -282,16 +284,40 @@ void drawTheRest(FrameRecorder& recorder, const RunState& last, const Simulation
                                                  simulation.time(), pictures});
                         }
                     });
+    const FramePainter* painter = recorder.painter();
+    if (painter == nullptr)
+    {
+        return {};
+    }
+    enterPictures(request, *painter, recorder.lastNumber(), result);
+    return painter->drawn().times;
 }
 
-/// The run file first: the summary says that all before it is there.
-void finishFiles(const RunRecord& run, FrameRecorder* recorder)
+/// Judges the run, and writes its files. The run file comes first: the summary says that all before
+/// it is there.
+void conclude(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
+              const FramePlan& frames, const StageTimes& times, FrameRecorder* recorder,
+              PhaseClock& clock, FillResult& result)
 {
+    judge(request.scene, simulation, result);
+    const FramePainter* painter = recorder != nullptr ? recorder->painter() : nullptr;
+    result.failure = findFault(request.scene, result, painter != nullptr && painter->drawn().blank);
+    clock.end("judging");
+    clock.enter(result);
+
+    const RunRecord record{request,
+                           mesh,
+                           simulation,
+                           frames,
+                           result,
+                           times,
+                           recorder != nullptr ? recorder->stride() : 1};
+    result.summary = summaryText(record);
     if (recorder != nullptr && recorder->file() != nullptr)
     {
-        recorder->file()->finish(run.result.summary);
+        recorder->file()->finish(result.summary);
     }
-    writeRunFiles(run);
+    writeRunFiles(record);
 }
 
 /// Throws Error usage for wishes that cannot be met together.
@@ -394,27 +420,14 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     result.stopped = run.end == RunEnd::stopped;
     result.overfull = run.end == RunEnd::overfull;
     StageTimes times = simulation.times();
-    const FramePainter* painter = recorder ? recorder->painter() : nullptr;
     if (recorder)
     {
-        drawTheRest(*recorder, states ? states->at(states->count() - 1) : stateOf(simulation),
-                    simulation, observer, frames.kept);
-    }
-    if (painter != nullptr)
-    {
-        enterPictures(request, *painter, recorder->lastNumber(), result);
-        times += painter->drawn().times;
+        times +=
+            drawTheRest(*recorder, states ? states->at(states->count() - 1) : stateOf(simulation),
+                        simulation, request, observer, frames.kept, result);
     }
     clock.end("drawing_the_rest");
-    judge(request.scene, simulation, result);
-    result.failure = findFault(request.scene, result, painter != nullptr && painter->drawn().blank);
-    clock.end("judging");
-    clock.enter(result);
-
-    const RunRecord record{
-        request, mesh, simulation, frames, result, times, recorder ? recorder->stride() : 1};
-    result.summary = summaryText(record);
-    finishFiles(record, recorder.get());
+    conclude(request, mesh, simulation, frames, times, recorder.get(), clock, result);
     return result;
 }
 

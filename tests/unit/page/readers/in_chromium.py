@@ -138,10 +138,12 @@ def survive_a_lost_context():
         page.until("!document.getElementById('notice').hidden")
         expect("graphics" in page.value("document.getElementById('notice').textContent"), "the loss is told")
         page.value("frostfill.redraw(); 1")
-        page.settle()
+        expect(pictures.difference(page.screenshot(), before)[1] > 0.01, "a lost context still shows the picture")
         page.value("lose.restoreContext(); 1")
         page.until("document.getElementById('notice').hidden")
-        expect(page.screenshot() == before, "the picture does not come back")
+        rms, share, most = pictures.difference(page.screenshot(), before)
+        # Another context may round an edge otherwise: one pixel of a million differed, in half of the runs.
+        expect(share < 1e-5, f"the picture does not come back: rms {rms:.2f}, at most {most}")
         expect(not any("exceptionId" in line for line in page.said), page.said)
 
 
