@@ -205,7 +205,7 @@ SimulatedRun simulateBefore(BegunRun& begun, Simulation& simulation, const FillR
 {
     try
     {
-        return simulateInto(begun.file(), simulation, request, observer);
+        return simulateInto(begun.states(), simulation, request, observer);
     }
     catch (const Error&)
     {
@@ -346,7 +346,7 @@ FillPlan planFill(const FillRequest& asked, const FillObserver& observer)
     const ReachInspection reach = reachOf(simulation);
     const RunLength length = estimatedLength(request.scene, mesh, simulation, observer);
     const FramePlan frames =
-        planPictures(request.scene, mesh, length, nullptr, path ? path->duration() : 0);
+        planPictures(request.scene, mesh.report, length, path ? path->duration() : 0);
     return makePlan(request.scene, mesh, simulation, frames, reach);
 }
 
@@ -394,7 +394,16 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
         run.length = estimatedLength(request.scene, mesh, simulation, observer);
     }
     const FramePlan frames =
-        planPictures(request.scene, mesh, run.length, recorder.get(), path ? path->duration() : 0);
+        planPictures(request.scene, mesh.report, run.length, path ? path->duration() : 0);
+    if (recorder)
+    {
+        recorder->keepTo(frames);
+    }
+    if (run.length.drawsFalls)
+    {
+        recorder->drawFalls(std::make_unique<FallingSpheres>(std::move(run.landings), mesh.mesh,
+                                                             request.scene, frames.timing.lag));
+    }
     directory.begin(); // all that can fail before the first step has not
     if (isKept(request.scene))
     {

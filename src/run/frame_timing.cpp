@@ -112,7 +112,7 @@ FramePlan planFrames(const Scene& scene, const MeshReport& mesh, const RunLength
     {
         return plan;
     }
-    plan.timing = frameTiming(scene, mesh, length.seconds, !length.landings.empty());
+    plan.timing = frameTiming(scene, mesh, length.seconds, length.drawsFalls);
     plan.held = scene.frames.hold > 0 ? heldFrames(scene) : turnOfLast(scene, path);
     std::size_t selected = 0;
     if (selection->isLastOnly() || scene.frames.limit == 1)
@@ -161,31 +161,16 @@ constexpr double kModelPaper = 1000;
 constexpr double kGrowthOfFalls = -0.7;
 constexpr double kGrowthOfSettling = 0.5;
 
-/// Enters the spheres that appeared in the last step, one after the other.
-void enterLandings(const Simulation& simulation, double before, std::vector<Landing>& landings)
-{
-    const std::size_t known = std::min(landings.size(), simulation.sphereCount());
-    landings.resize(known);
-    const auto fresh = static_cast<double>(simulation.sphereCount() - known);
-    for (std::size_t id = known; id < simulation.sphereCount(); ++id)
-    {
-        const SphereRecord sphere = simulation.sphere(id);
-        const double share = static_cast<double>(id - known + 1) / fresh;
-        landings.push_back({before + share * (simulation.time() - before), sphere.centre,
-                            sphere.radius, sphere.group});
-    }
-}
-
-RunLength lengthOf(const Scene& scene, Simulation& simulation,
-                   const std::function<bool()>& stopRequested)
+/// Returns the simulated seconds that a run takes. Nobody looks at its states.
+double secondsOf(Simulation& simulation, const std::function<bool()>& stopRequested)
 {
     simulation.stopWhen(stopRequested);
-    LengthWatch watch(scene);
+    double seconds = 0;
     while (simulation.step() && !(stopRequested && stopRequested()))
     {
-        watch.look(simulation);
+        seconds = simulation.time();
     }
-    return watch.take();
+    return seconds;
 }
 
 bool descends(const Scene& scene)
@@ -269,19 +254,6 @@ bool isItsOwnTrial(const Scene& scene, const Simulation& simulation)
                                                     : kTrialSpheres);
 }
 
-LengthWatch::LengthWatch(const Scene& scene) : falls_(hasFalls(scene))
-{
-}
-
-void LengthWatch::look(const Simulation& simulation)
-{
-    if (!falls_)
-    {
-        enterLandings(simulation, length_.seconds, length_.landings);
-    }
-    length_.seconds = simulation.time();
-}
-
 RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
                             const Simulation& simulation,
                             const std::function<bool()>& stopRequested)
@@ -289,11 +261,12 @@ RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
     if (isItsOwnTrial(scene, simulation))
     {
         Simulation same(withoutExtras(scene), simulation);
-        return lengthOf(scene, same, stopRequested);
+        const double seconds = secondsOf(same, stopRequested);
+        return {seconds, true, !hasFalls(scene) && same.sphereCount() > 0};
     }
     if (descends(scene))
     {
-        return {kStepsOfDescent * simulation.timeStep(), false, {}};
+        return {kStepsOfDescent * simulation.timeStep()};
     }
     const auto spheres = static_cast<double>(simulation.expectedSpheres());
     const double spheresOfModel = scene.preset == Preset::paper           ? kModelPaper
@@ -302,9 +275,9 @@ RunLength estimateRunLength(const Scene& scene, const TriangleMesh& mesh,
     const double factor = std::cbrt(spheres / spheresOfModel);
     const Scene smaller = modelOf(withoutExtras(scene), simulation, factor);
     Simulation model(smaller, mesh);
-    const double perSet = lengthOf(smaller, model, stopRequested).seconds / setsOf(smaller, model);
+    const double perSet = secondsOf(model, stopRequested) / setsOf(smaller, model);
     const double growth = std::pow(factor, hasFalls(scene) ? -kGrowthOfFalls : -kGrowthOfSettling);
-    return {setsOf(scene, simulation) * perSet * growth, false, {}};
+    return {setsOf(scene, simulation) * perSet * growth};
 }
 
 } // namespace frostfill

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "run/falling_spheres.hpp"
 #include "scene/frame_selection.hpp"
 
 #include <frostfill/mesh.hpp>
@@ -11,19 +10,17 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <utility>
-#include <vector>
 
 namespace frostfill
 {
 
-/// How long a run will last, found by a trial run without pictures.
+/// How long a run lasts: as it was, or by a trial run without pictures.
 struct RunLength
 {
     double seconds = 0; ///< simulated
-    bool exact = false; ///< the trial was the run itself, not a smaller model of it
-    /// Where spheres appear in a run whose motion leaves out the falls; only when exact.
-    std::vector<Landing> landings;
+    bool exact = false; ///< of the run itself, not of a smaller model of it
+    /// The motion leaves out the falls, and it is known where spheres appear; only when exact.
+    bool drawsFalls = false;
 };
 
 /// Whether spheres are simulated from where they begin to fall.
@@ -32,20 +29,6 @@ struct RunLength
 /// Whether a run is short enough to be its own trial, which `simulation` has not begun: then its
 /// length is exact.
 [[nodiscard]] bool isItsOwnTrial(const Scene& scene, const Simulation& simulation);
-
-/// Watches a run from its start, to tell its length in the end.
-class LengthWatch
-{
-public:
-    explicit LengthWatch(const Scene& scene);
-    /// To be called after every step.
-    void look(const Simulation& simulation);
-    [[nodiscard]] RunLength take() { return std::move(length_); }
-
-private:
-    bool falls_; ///< the motion has falls: it is not asked where they end
-    RunLength length_{0, true, {}};
-};
 
 /// Makes a trial of the run of `simulation`, which has not begun: a run of up to some ten thousand
 /// spheres itself, a larger one by a model of the same object with fewer and larger spheres.

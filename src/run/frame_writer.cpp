@@ -18,6 +18,18 @@ FrameWriter::FrameWriter(const std::filesystem::path& directory, PngText text)
 {
 }
 
+FrameWriter::~FrameWriter()
+{
+    try
+    {
+        finish();
+    }
+    catch (...)
+    {
+        // finish() reports errors. A destructor must not throw.
+    }
+}
+
 bool FrameWriter::has(std::size_t frame, PictureSize size, const PngText& text) const
 {
     constexpr std::size_t kPackedAtMost = 64; // [1] of what has any content
@@ -33,41 +45,30 @@ bool FrameWriter::has(std::size_t frame, PictureSize size, const PngText& text) 
 void FrameWriter::put(std::size_t frame, const Image& image,
                       std::span<const std::uint8_t> changedRows, std::size_t set, PngText text)
 {
-    // With one job at most waiting and one being done, the third copy is free.
-    Copy& copy = copies_[next_];
-    next_ = (next_ + 1) % copies_.size();
-    copy.image = {image.width, image.height, image.channels, std::move(copy.image.pixels)};
-    copy.image.pixels.resize(image.pixels.size());
+    finish();
+    picture_ = {image.width, image.height, image.channels, std::move(picture_.pixels)};
+    picture_.pixels.resize(image.pixels.size());
     const std::size_t row =
         static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
-    for (Copy& each : copies_)
-    {
-        each.staleRows.resize(changedRows.size(), 1);
-    }
     for (std::size_t y = 0; y < changedRows.size(); ++y)
     {
-        for (Copy& each : copies_)
+        if (changedRows[y] != 0)
         {
-            each.staleRows[y] |= changedRows[y];
-        }
-        if (std::exchange(copy.staleRows[y], std::uint8_t{0}) != 0)
-        {
-            std::copy_n(image.pixels.data() + y * row, row, copy.image.pixels.data() + y * row);
+            std::copy_n(image.pixels.data() + y * row, row, picture_.pixels.data() + y * row);
         }
     }
-    worker_.push([this, frame, &copy, set, text = std::move(text),
+    writing_.run([this, frame, set, text = std::move(text),
                   rows = std::vector<std::uint8_t>(changedRows.begin(), changedRows.end())]
-                 { write(frame, copy.image, rows, set, text); });
+                 { write(frame, rows, set, text); });
 }
 
-void FrameWriter::write(std::size_t frame, const Image& image,
-                        const std::vector<std::uint8_t>& changedRows, std::size_t set,
-                        const PngText& text)
+void FrameWriter::write(std::size_t frame, const std::vector<std::uint8_t>& changedRows,
+                        std::size_t set, const PngText& text)
 {
     const auto spent = [&]
     { return sequence_.times()[Stage::encoding] + sequence_.times()[Stage::writing]; };
     const double before = spent();
-    sequence_.put(frame, image, changedRows, text);
+    sequence_.put(frame, picture_, changedRows, text);
     if (milliseconds_.size() <= set)
     {
         milliseconds_.resize(set + 1);

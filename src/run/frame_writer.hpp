@@ -2,12 +2,13 @@
 #pragma once
 
 #include "output/video.hpp"
-#include "run/ordered_worker.hpp"
 
 #include <frostfill/output.hpp>
 #include <frostfill/renderer.hpp>
 #include <frostfill/scene.hpp>
 #include <frostfill/view.hpp>
+
+#include <tbb/task_group.h>
 
 #include <array>
 #include <cstdint>
@@ -20,15 +21,18 @@
 namespace frostfill
 {
 
-/// Encodes and writes pictures in a thread of its own, in order. Of each picture it copies only the
-/// rows that differ from the newest ones.
+/// Encodes and writes each picture while the next one is drawn, in order. Of each picture it copies
+/// only the rows that differ from the one before.
 class FrameWriter
 {
 public:
     /// Throws Error cannotCreate.
     FrameWriter(const std::filesystem::path& directory, PngText text);
+    ~FrameWriter();
+    FrameWriter(const FrameWriter&) = delete;
+    FrameWriter& operator=(const FrameWriter&) = delete;
 
-    /// Copies what it needs; may wait for earlier pictures. `changedRows` as Renderer tells them,
+    /// Copies what it needs; waits for the picture before. `changedRows` as Renderer tells them,
     /// all 0 for the same picture once more. `set` is the one that the time is counted for. Throws
     /// what has gone wrong with an earlier picture.
     void put(std::size_t frame, const Image& image, std::span<const std::uint8_t> changedRows,
@@ -38,7 +42,7 @@ public:
     /// that it is drawn again and told.
     [[nodiscard]] bool has(std::size_t frame, PictureSize size, const PngText& text) const;
     /// Waits until everything is written. Throws what has gone wrong.
-    void finish() { worker_.finish(); }
+    void finish() { writing_.wait(); }
 
     /// After finish().
     [[nodiscard]] const StageTimes& times() const { return sequence_.times(); }
@@ -49,23 +53,15 @@ public:
     }
 
 private:
-    /// A picture on its way to the other thread.
-    struct Copy
-    {
-        Image image;
-        std::vector<std::uint8_t> staleRows; ///< [height] that have changed since it was made
-    };
-
-    void write(std::size_t frame, const Image& image, const std::vector<std::uint8_t>& changedRows,
-               std::size_t set, const PngText& text);
+    void write(std::size_t frame, const std::vector<std::uint8_t>& changedRows, std::size_t set,
+               const PngText& text);
 
     std::filesystem::path directory_;
     PngText text_; ///< of all pictures
     PngSequence sequence_;
     std::vector<std::vector<double>> milliseconds_;
-    std::array<Copy, 3> copies_; ///< one is filled, one waits, one is being written
-    std::size_t next_ = 0;
-    OrderedWorker worker_; ///< last: it uses all the others
+    Image picture_; ///< the newest
+    tbb::task_group writing_;
 };
 
 /// Throws Error usage where the pictures have a background that the video would not show.

@@ -122,6 +122,12 @@ void FrameRecorder::takeNext(const RunState& run)
     ++next_;
 }
 
+void FrameRecorder::keep(const RunState& run)
+{
+    observe(run, run.time);
+    ++next_;
+}
+
 FramePainter::State FrameRecorder::state()
 {
     isGiven_ = true;
@@ -224,26 +230,17 @@ bool lengthMatters(const Scene& scene)
     return sceneWithFrames(scene).frames.enabled && !framesToDraw(scene).isLastOnly();
 }
 
-FramePlan planPictures(const Scene& all, const LoadedMesh& mesh, const RunLength& length,
-                       FrameRecorder* recorder, double path)
+FramePlan planPictures(const Scene& all, const MeshReport& mesh, const RunLength& length,
+                       double path)
 {
     const Scene scene = sceneWithFrames(all);
-    const FramePlan plan = planFrames(scene, mesh.report, length, path);
+    const FramePlan plan = planFrames(scene, mesh, length, path);
     if (all.frames.enabled && plan.kept == 0)
     {
         throw Error(ErrorCode::usage,
                     fmt::format("--frames {} leaves no frame: the animation ends near frame {}",
                                 scene.frames.selection,
                                 plan.all + std::max<std::size_t>(plan.held, 1) - 1));
-    }
-    if (recorder)
-    {
-        recorder->keepTo(plan);
-    }
-    if (recorder && !length.landings.empty())
-    {
-        recorder->drawFalls(
-            std::make_unique<FallingSpheres>(length.landings, mesh.mesh, scene, plan.timing.lag));
     }
     return plan;
 }
@@ -307,8 +304,11 @@ void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMe
 BegunRun::BegunRun(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
                    bool isNew)
     : path_(request.directory / (isNew && isKept(request.scene) ? kBegunFile : kStatesFile)),
-      file_(path_, headOf(request, mesh, simulation, {}), mesh.mesh, simulation.smallestRadius())
+      states_(nullptr, simulation.smallestRadius(), false)
 {
+    states_.carry(columnsToCarry(request.scene));
+    states_.keepIn(std::make_unique<RunFileWriter>(path_, headOf(request, mesh, simulation, {}),
+                                                   mesh.mesh, simulation.smallestRadius()));
 }
 
 void BegunRun::stay()
@@ -347,6 +347,21 @@ private:
     std::size_t seen_ = 0;
     double sum_ = 0;
 };
+
+/// Enters the spheres that appeared in the last step, one after the other.
+void enterLandings(const Simulation& simulation, double before, std::vector<Landing>& landings)
+{
+    const std::size_t known = std::min(landings.size(), simulation.sphereCount());
+    landings.resize(known);
+    const auto fresh = static_cast<double>(simulation.sphereCount() - known);
+    for (std::size_t id = known; id < simulation.sphereCount(); ++id)
+    {
+        const SphereRecord sphere = simulation.sphere(id);
+        const double share = static_cast<double>(id - known + 1) / fresh;
+        landings.push_back({before + share * (simulation.time() - before), sphere.centre,
+                            sphere.radius, sphere.group});
+    }
+}
 
 /// Calls look() for each state. `recorder` only tells how many pictures there are.
 template <typename Look>
@@ -394,36 +409,24 @@ RunEnd simulate(Simulation& simulation, FrameRecorder* recorder, const FillReque
                        });
 }
 
-SimulatedRun simulateInto(RunFileWriter& file, Simulation& simulation, const FillRequest& request,
+SimulatedRun simulateInto(FrameRecorder& states, Simulation& simulation, const FillRequest& request,
                           const FillObserver& observer)
 {
-    LengthWatch watch(request.scene);
-    Snapshot state;
-    state.columns = columnsToCarry(request.scene);
-    std::optional<std::uint64_t> revision;
-    std::size_t states = 0;
-    const auto keep = [&]
-    {
-        if (std::exchange(revision, simulation.revision()) == simulation.revision())
-        {
-            file.repeat(states++);
-            return;
-        }
-        const auto exact = [&](std::uint32_t id) { return simulation.sphere(id); };
-        simulation.capture(state);
-        roundPlaces(state, simulation.smallestRadius(), exact);
-        file.put(states++, state, exact);
-    };
     SimulatedRun run;
+    double seconds = 0;
     run.end = stepThrough(simulation, nullptr, request, observer,
                           [&]
                           {
-                              watch.look(simulation);
-                              keep();
+                              states.keep(stateOf(simulation));
+                              if (!hasFalls(request.scene))
+                              {
+                                  enterLandings(simulation, seconds, run.landings);
+                              }
+                              seconds = simulation.time();
                           });
-    keep();
-    file.flush();
-    run.length = watch.take();
+    states.keep(stateOf(simulation));
+    states.file()->flush();
+    run.length = {seconds, true, !run.landings.empty()};
     return run;
 }
 

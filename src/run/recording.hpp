@@ -70,6 +70,8 @@ public:
     void stopWhen(std::function<bool()> requested);
     /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
     void record(const RunState& run);
+    /// Keeps this state in the file as the next frame, whatever its time.
+    void keep(const RunState& run);
     /// Takes the last state; see FramePainter::finish.
     void finish(const RunState& run, const std::function<void()>& taken = {});
 
@@ -125,10 +127,10 @@ private:
 [[nodiscard]] bool lengthMatters(const Scene& scene);
 
 /// Which times become frames of a run of this length, which need not be known if it does not
-/// matter. Tells the recorder, if there is one. `path` [s] is the duration of the camera's. Throws
-/// Error usage when no picture is left of those asked for.
-[[nodiscard]] FramePlan planPictures(const Scene& scene, const LoadedMesh& mesh,
-                                     const RunLength& length, FrameRecorder* recorder, double path);
+/// matter. `path` [s] is the duration of the camera's. Throws Error usage when no picture is left
+/// of those asked for.
+[[nodiscard]] FramePlan planPictures(const Scene& scene, const MeshReport& mesh,
+                                     const RunLength& length, double path);
 
 /// Begins the run file, or continues that of a run that is resumed. Throws Error cannotCreate or
 /// writeFailed.
@@ -149,13 +151,14 @@ public:
     BegunRun& operator=(const BegunRun&) = delete;
 
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-    [[nodiscard]] RunFileWriter& file() { return file_; }
+    /// Keeps states in the file.
+    [[nodiscard]] FrameRecorder& states() { return states_; }
     /// Leaves the file behind, if a run can begin again by it.
     void stay();
 
 private:
     std::filesystem::path path_;
-    RunFileWriter file_;
+    FrameRecorder states_;
 };
 
 enum class RunEnd
@@ -175,12 +178,13 @@ struct SimulatedRun
 {
     RunEnd end = RunEnd::itself;
     RunLength length;
+    /// Where spheres appear, if the motion leaves out the falls.
+    std::vector<Landing> landings;
 };
 
-/// Steps to the end, or until the caller wants to stop, and keeps each state in a file: as frame
-/// by frame, and the one at the end once more, with what the end has discarded. Throws Error
-/// writeFailed.
-[[nodiscard]] SimulatedRun simulateInto(RunFileWriter& file, Simulation& simulation,
+/// Steps to the end, or until the caller wants to stop, and keeps each state: as frame by frame,
+/// and the one at the end once more, with what the end has discarded. Throws Error writeFailed.
+[[nodiscard]] SimulatedRun simulateInto(FrameRecorder& states, Simulation& simulation,
                                         const FillRequest& request, const FillObserver& observer);
 
 /// Shows the states of a run that was simulated to the recorder, as simulate() would have, and

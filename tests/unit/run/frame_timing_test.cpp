@@ -58,7 +58,7 @@ TEST(FrameTiming, TakesTheSlowMotionThatIsGiven)
 TEST(FramePlan, StaysWithinTheLimitAndIsNothingWithoutFrames)
 {
     Scene scene = presetScene(Preset::paper, "torus");
-    const RunLength length = {1000, true, {}};
+    const RunLength length = {1000, true};
     for (const std::size_t limit : {1u, 2u, 10u, 40u, 599u, 600u, 1000u})
     {
         scene.frames.limit = limit;

@@ -27,6 +27,17 @@ FillRequest smallRequest(Motion motion)
     return request;
 }
 
+/// Simulates a run whose states are kept in a file.
+SimulatedRun simulateIntoFile(const std::filesystem::path& file, Simulation& simulation,
+                              const FillRequest& request, const FillObserver& observer)
+{
+    FrameRecorder states(nullptr, simulation.smallestRadius(), false);
+    states.carry(columnsToCarry(request.scene));
+    states.keepIn(std::make_unique<RunFileWriter>(file, "", builtInMesh(request.scene.object.mesh),
+                                                  simulation.smallestRadius()));
+    return simulateInto(states, simulation, request, observer);
+}
+
 std::string runFileOf(const FillRequest& request, const std::filesystem::path& file, bool before)
 {
     const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
@@ -35,21 +46,24 @@ std::string runFileOf(const FillRequest& request, const std::filesystem::path& f
     recorder.carry(columnsToCarry(request.scene));
     recorder.keepIn(
         std::make_unique<RunFileWriter>(file, "{}", mesh.mesh, simulation.smallestRadius()));
-    const auto plan = [&](const RunLength& length)
-    { (void)planPictures(request.scene, mesh, length, &recorder, 0); };
+    const std::filesystem::path kept = file.string() + ".states";
+    Simulation first(request.scene, mesh.mesh);
+    const SimulatedRun run = simulateIntoFile(kept, before ? simulation : first, request, {});
+    const FramePlan plan = planPictures(request.scene, mesh.report, run.length, 0);
+    recorder.keepTo(plan);
+    if (run.length.drawsFalls)
+    {
+        recorder.drawFalls(std::make_unique<FallingSpheres>(run.landings, mesh.mesh, request.scene,
+                                                            plan.timing.lag));
+    }
     if (before)
     {
-        const std::filesystem::path kept = file.string() + ".states";
-        RunFileWriter writer(kept, "", mesh.mesh, simulation.smallestRadius());
-        const SimulatedRun run = simulateInto(writer, simulation, request, {});
-        plan(run.length);
         KeptStates states(kept);
         EXPECT_EQ(replay(run.end, states, recorder, simulation, {}, 1), RunEnd::itself);
         recorder.finish(states.at(states.count() - 1));
     }
     else
     {
-        plan(estimateRunLength(request.scene, mesh.mesh, simulation, {}));
         EXPECT_EQ(simulate(simulation, &recorder, request, {}), RunEnd::itself);
         recorder.finish(stateOf(simulation));
     }
@@ -123,24 +137,29 @@ TEST(SimulatedRun, KeepsDifferentRadiiAndAnObjectThatTilts)
     expectTheSameFile(request, folder);
 }
 
-TEST(SimulatedRun, TellsTheLengthAndTheLandingsOfATrial)
+TEST(SimulatedRun, TellsTheLengthOfATrialAndWhereSpheresLand)
 {
     const TemporaryFolder folder;
     const FillRequest request = smallRequest(Motion::skip);
     const TriangleMesh mesh = loadMesh("torus").mesh;
     Simulation simulation(request.scene, mesh);
     const RunLength trial = estimateRunLength(request.scene, mesh, simulation, {});
-    RunFileWriter file(folder / "states", "", mesh, simulation.smallestRadius());
-    const SimulatedRun run = simulateInto(file, simulation, request, {});
+    const SimulatedRun run = simulateIntoFile(folder / "states", simulation, request, {});
     EXPECT_TRUE(run.length.exact);
+    EXPECT_TRUE(trial.exact);
     EXPECT_EQ(run.length.seconds, trial.seconds);
     EXPECT_EQ(run.length.seconds, simulation.time());
-    ASSERT_EQ(run.length.landings.size(), trial.landings.size());
-    EXPECT_EQ(run.length.landings.size(), simulation.sphereCount());
-    for (std::size_t id = 0; id < trial.landings.size(); ++id)
+    EXPECT_TRUE(run.length.drawsFalls);
+    EXPECT_TRUE(trial.drawsFalls);
+    ASSERT_EQ(run.landings.size(), simulation.sphereCount());
+    double before = 0;
+    for (std::size_t id = 0; id < run.landings.size(); ++id)
     {
-        EXPECT_EQ(run.length.landings[id].time, trial.landings[id].time);
-        EXPECT_EQ(run.length.landings[id].place, trial.landings[id].place);
+        EXPECT_GE(run.landings[id].time, before);
+        before = run.landings[id].time;
+        EXPECT_LE(before, simulation.time());
+        EXPECT_EQ(run.landings[id].radius, simulation.radius(id));
+        EXPECT_EQ(run.landings[id].group, simulation.sphere(id).group);
     }
 }
 
@@ -153,8 +172,7 @@ TEST(SimulatedRun, ThatIsStoppedShowsWhereItStopped)
     int asked = 0;
     FillObserver observer;
     observer.stopRequested = [&] { return ++asked > 20; };
-    RunFileWriter file(folder / "states", "", mesh, simulation.smallestRadius());
-    const SimulatedRun run = simulateInto(file, simulation, request, observer);
+    const SimulatedRun run = simulateIntoFile(folder / "states", simulation, request, observer);
     EXPECT_EQ(run.end, RunEnd::stopped);
     EXPECT_GT(simulation.steps(), 0u);
     EXPECT_LE(simulation.steps(), 21u);
