@@ -2,7 +2,7 @@
 #include "lab/triangle_growth.hpp"
 
 #include "lab/processor_time.hpp"
-#include "run/frame_drawer.hpp"
+#include "run/frame_painter.hpp"
 
 #include <frostfill/renderer.hpp>
 #include <frostfill/simulation.hpp>

@@ -10,9 +10,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace frostfill
@@ -25,39 +28,29 @@ using Json = nlohmann::ordered_json;
 Json::json_pointer pointerTo(const std::string& key)
 {
     std::string path = "/" + key;
-    for (char& letter : path)
-    {
-        if (letter == '.')
-        {
-            letter = '/';
-        }
-    }
+    std::replace(path.begin(), path.end(), '.', '/');
     return Json::json_pointer(path);
 }
 
 Json valueToJson(const OptionValue& value)
 {
-    if (const auto* yes = std::get_if<bool>(&value))
+    const auto json = [](const auto& known) -> Json
     {
-        return *yes;
-    }
-    if (const auto* whole = std::get_if<std::int64_t>(&value))
-    {
-        return *whole;
-    }
-    if (const auto* number = std::get_if<double>(&value))
-    {
-        return *number;
-    }
-    if (const auto* text = std::get_if<std::string>(&value))
-    {
-        return *text;
-    }
-    if (const auto* vector = std::get_if<Eigen::Vector3d>(&value))
-    {
-        return {vector->x(), vector->y(), vector->z()};
-    }
-    return nullptr;
+        using Value = std::decay_t<decltype(known)>;
+        if constexpr (std::is_same_v<Value, std::monostate>)
+        {
+            return nullptr;
+        }
+        else if constexpr (std::is_same_v<Value, Eigen::Vector3d>)
+        {
+            return {known.x(), known.y(), known.z()};
+        }
+        else
+        {
+            return known;
+        }
+    };
+    return std::visit(json, value);
 }
 
 /// A value of an unexpected kind becomes an empty text, which only names accept.

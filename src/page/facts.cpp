@@ -5,7 +5,7 @@
 #include "render/picture/mesh_shading.hpp"
 #include "render/picture/painter_settings.hpp"
 #include "render/picture/sphere_draw_list.hpp"
-#include "run/frame_drawer.hpp"
+#include "run/frame_painter.hpp"
 
 #include <fmt/format.h>
 

@@ -240,7 +240,7 @@ void judge(const Scene& scene, const Simulation& simulation, FillResult& result)
 void enterPictures(const FillRequest& request, const FramePainter& painter, std::size_t last,
                    FillResult& result)
 {
-    result.frames = painter.count();
+    result.frames = painter.plan().count();
     if (result.frames == 0 && !result.stopped)
     {
         result.noFrames = fmt::format("--frames {} leaves no frame: the frames of the run have the "
@@ -251,20 +251,6 @@ void enterPictures(const FillRequest& request, const FramePainter& painter, std:
     result.videoFailure = painter.drawn().videoFailure;
     result.setFrames = painter.drawn().sets;
     result.renderer = painter.drawn().renderer;
-}
-
-/// Null if no frames are wanted.
-std::unique_ptr<FrameRecorder> stoppableRecorder(const FillRequest& request, const LoadedMesh& mesh,
-                                                 const Simulation& simulation,
-                                                 const std::optional<CameraPath>& path,
-                                                 const FillObserver& observer)
-{
-    std::unique_ptr<FrameRecorder> recorder = makeRecorder(request, mesh, simulation, path);
-    if (recorder)
-    {
-        recorder->stopWhen(observer.stopRequested);
-    }
-    return recorder;
 }
 
 /// Shows the last state, of a run that has come to its end, and enters what was drawn. Returns the
@@ -371,13 +357,14 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     const std::optional<CameraPath> path = CameraPath::of(request.scene);
     const bool isNew = earlier != EarlierRun::keep;
     // Pictures that depend on the length of a run come after it, if it is short enough.
-    const bool isBefore = lengthMatters(request.scene) && isItsOwnTrial(request.scene, simulation);
+    const bool hasFrames = lengthMatters(request.scene);
+    const bool isBefore = hasFrames && isItsOwnTrial(request.scene, simulation);
     std::optional<BegunRun> begun;
     if (isBefore || (isNew && isKept(request.scene)))
     {
         begun.emplace(request, mesh, simulation, isNew);
     }
-    const auto recorder = stoppableRecorder(request, mesh, simulation, path, observer);
+    const auto recorder = makeRecorder(request, mesh, simulation, path, observer.stopRequested);
     FillResult result;
     result.reach = reachOf(simulation);
     clock.end("preparing");
@@ -423,7 +410,7 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     }
     else
     {
-        run.end = simulate(simulation, recorder.get(), request, observer);
+        run.end = simulate(simulation, hasFrames ? recorder.get() : nullptr, request, observer);
         clock.end("simulating");
     }
     result.stopped = run.end == RunEnd::stopped;

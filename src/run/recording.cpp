@@ -53,9 +53,8 @@ RunState KeptStates::at(std::size_t index)
     return {now.time, reader_.revision(), now.states.size(), exact, capture};
 }
 
-FrameRecorder::FrameRecorder(std::unique_ptr<FramePainter> painter, double smallestRadius,
-                             bool lastOnly)
-    : smallestRadius_(smallestRadius), lastOnly_(lastOnly), painter_(std::move(painter))
+FrameRecorder::FrameRecorder(std::unique_ptr<FramePainter> painter, double smallestRadius)
+    : smallestRadius_(smallestRadius), painter_(std::move(painter))
 {
 }
 
@@ -64,7 +63,7 @@ void FrameRecorder::keepTo(const FramePlan& plan)
     interval_ = plan.timing.interval;
     if (painter_)
     {
-        painter_->keepEvery(plan.stride);
+        painter_->plan().keepEvery(plan.stride);
     }
 }
 
@@ -106,18 +105,18 @@ void FrameRecorder::record(const RunState& run)
 
 void FrameRecorder::takeNext(const RunState& run)
 {
-    const bool draws = painter_ && painter_->wants(next_);
-    if (draws || (file_ && !lastOnly_))
+    const bool draws = painter_ && painter_->plan().wants(next_);
+    if (draws || file_)
     {
         observe(run, std::min(timeAt(next_), run.time));
     }
     if (draws)
     {
-        painter_->take(next_, state());
+        painter_->take(next_, newest());
     }
-    else if (painter_ && !lastOnly_)
+    else if (painter_)
     {
-        painter_->pass(next_);
+        painter_->plan().pass(next_);
     }
     ++next_;
 }
@@ -128,10 +127,10 @@ void FrameRecorder::keep(const RunState& run)
     ++next_;
 }
 
-FramePainter::State FrameRecorder::state()
+const Snapshot& FrameRecorder::newest()
 {
     isGiven_ = true;
-    return {&snapshots_[newest_], revision_};
+    return snapshots_[newest_];
 }
 
 void FrameRecorder::observe(const RunState& run, double time)
@@ -181,11 +180,10 @@ void FrameRecorder::finish(const RunState& run, const std::function<void()>& tak
         seen_ = ~0ULL; // to be looked at once more, without falls
     }
     over_ = true;
-    next_ = lastOnly_ ? 0 : next_;
     observe(run, run.time);
     if (painter_)
     {
-        painter_->finish(next_, state(), taken);
+        painter_->finish(next_, &newest(), taken);
     }
 }
 
@@ -247,7 +245,8 @@ FramePlan planPictures(const Scene& all, const MeshReport& mesh, const RunLength
 
 std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const LoadedMesh& mesh,
                                             const Simulation& simulation,
-                                            const std::optional<CameraPath>& path)
+                                            const std::optional<CameraPath>& path,
+                                            std::function<bool()> stopRequested)
 {
     const Scene& scene = request.scene;
     if (!sceneWithFrames(scene).frames.enabled)
@@ -262,9 +261,10 @@ std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request, const Lo
             simulation.poses(), runHash(scene, mesh.mesh), request.directory, request.video, path,
             turnOfLast(scene, path ? path->duration() : 0), request.resume});
     }
-    auto recorder = std::make_unique<FrameRecorder>(std::move(painter), simulation.smallestRadius(),
-                                                    framesToDraw(scene).isLastOnly());
+    auto recorder =
+        std::make_unique<FrameRecorder>(std::move(painter), simulation.smallestRadius());
     recorder->carry(columnsToCarry(scene));
+    recorder->stopWhen(std::move(stopRequested));
     return recorder;
 }
 
@@ -304,7 +304,7 @@ void keepRun(FrameRecorder& recorder, const FillRequest& request, const LoadedMe
 BegunRun::BegunRun(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
                    bool isNew)
     : path_(request.directory / (isNew && isKept(request.scene) ? kBegunFile : kStatesFile)),
-      states_(nullptr, simulation.smallestRadius(), false)
+      states_(nullptr, simulation.smallestRadius())
 {
     states_.carry(columnsToCarry(request.scene));
     states_.keepIn(std::make_unique<RunFileWriter>(path_, headOf(request, mesh, simulation, {}),

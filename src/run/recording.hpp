@@ -3,7 +3,7 @@
 
 #include "run/camera_path.hpp"
 #include "run/falling_spheres.hpp"
-#include "run/frame_drawer.hpp"
+#include "run/frame_painter.hpp"
 #include "run/frame_timing.hpp"
 
 #include <frostfill/fill.hpp>
@@ -53,8 +53,7 @@ class FrameRecorder
 {
 public:
     /// `smallestRadius` [mesh unit] is that of the run. Without a painter no pictures are drawn.
-    /// If only the last state is of interest, `lastOnly`, no other is looked at.
-    FrameRecorder(std::unique_ptr<FramePainter> painter, double smallestRadius, bool lastOnly);
+    FrameRecorder(std::unique_ptr<FramePainter> painter, double smallestRadius);
 
     /// Takes over which times become frames, and which of these pictures. Before it only the first
     /// frame is due, that of the start.
@@ -68,7 +67,8 @@ public:
     /// Asks this between frames, of which one step may be due many; once it is true, those of the
     /// step and those for which the last state is held are left out.
     void stopWhen(std::function<bool()> requested);
-    /// Takes the frames that are due. Throws what has gone wrong with an earlier one.
+    /// Takes the frames that are due. Where only the last state is of interest this is not called.
+    /// Throws what has gone wrong with an earlier one.
     void record(const RunState& run);
     /// Keeps this state in the file as the next frame, whatever its time.
     void keep(const RunState& run);
@@ -82,19 +82,18 @@ public:
     /// Of the last state, after finish().
     [[nodiscard]] std::size_t lastNumber() const { return next_; }
     /// Pictures so far.
-    [[nodiscard]] std::size_t count() const { return painter_ ? painter_->count() : 0; }
-    [[nodiscard]] std::size_t stride() const { return painter_ ? painter_->stride() : 1; }
+    [[nodiscard]] std::size_t count() const { return painter_ ? painter_->plan().count() : 0; }
+    [[nodiscard]] std::size_t stride() const { return painter_ ? painter_->plan().stride() : 1; }
 
 private:
     [[nodiscard]] double timeAt(std::size_t frame) const;
     void takeNext(const RunState& run);
     void observe(const RunState& run, double time);
     void capture(const RunState& run, double time);
-    [[nodiscard]] FramePainter::State state();
+    [[nodiscard]] const Snapshot& newest();
 
     std::unique_ptr<RunFileWriter> file_;
     double smallestRadius_;
-    bool lastOnly_;
     std::function<bool()> stopRequested_;
     double interval_ = FrameTiming{}.interval;
     std::unique_ptr<FallingSpheres> falls_;
@@ -113,12 +112,11 @@ private:
 /// Whether the run is kept in a run file.
 [[nodiscard]] bool isKept(const Scene& scene);
 
-/// The recorder of a run, with a painter if it has pictures. Null if no frames are wanted. Throws
-/// Error; see FramePainter.
-[[nodiscard]] std::unique_ptr<FrameRecorder> makeRecorder(const FillRequest& request,
-                                                          const LoadedMesh& mesh,
-                                                          const Simulation& simulation,
-                                                          const std::optional<CameraPath>& path);
+/// The recorder of a run, with a painter if it has pictures. Null if no frames are wanted. See
+/// FrameRecorder::stopWhen. Throws Error; see FramePainter.
+[[nodiscard]] std::unique_ptr<FrameRecorder>
+makeRecorder(const FillRequest& request, const LoadedMesh& mesh, const Simulation& simulation,
+             const std::optional<CameraPath>& path, std::function<bool()> stopRequested);
 
 /// What the recorder of a run carries besides the columns that every snapshot has.
 [[nodiscard]] std::vector<ColumnValues> columnsToCarry(const Scene& scene);

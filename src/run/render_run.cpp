@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "output/scene_json.hpp"
-#include "run/frame_drawer.hpp"
+#include "run/frame_painter.hpp"
 #include "run/frame_timing.hpp"
 #include "run/frame_writer.hpp"
 #include "run/run_directory.hpp"
@@ -99,10 +99,8 @@ void planAll(PicturePlan& plan, const std::filesystem::path& file)
     {
         const std::size_t last = numbers.size() - 1;
         const std::size_t kept = plan.keptState().value_or(last);
-        (void)reader.seek(kept);
-        const std::uint64_t revision = reader.revision();
-        (void)reader.seek(last);
-        plan.finish(numbers.back(), reader.revision() == revision ? kept : last, {},
+        const std::uint64_t revision = reader.seek(kept).revision;
+        plan.finish(numbers.back(), reader.seek(last).revision == revision ? kept : last, {},
                     [](const PicturePlan::Picture&) {});
     }
 }
@@ -205,14 +203,13 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, std::size_t expect
         {
             return true;
         }
-        if (!painter.wants(numbers[i]))
+        if (!painter.plan().wants(numbers[i]))
         {
-            painter.pass(numbers[i]);
+            painter.plan().pass(numbers[i]);
             continue;
         }
         const std::size_t leftOut = painter.drawn().leftOut();
-        const Snapshot& state = reader.seek(i);
-        painter.take(numbers[i], {&state, reader.revision()});
+        painter.take(numbers[i], reader.seek(i));
         painter.wait();
         if (painter.drawn().leftOut() == leftOut)
         {
@@ -220,13 +217,9 @@ bool drawFrames(FramePainter& painter, RunFileReader& reader, std::size_t expect
         }
         progressed();
     }
-    FramePainter::State last;
-    if (painter.wantsLast(numbers.back()))
-    {
-        const Snapshot& state = reader.seek(numbers.size() - 1);
-        last = {&state, reader.revision()};
-    }
-    painter.finish(numbers.back(), last, progressed);
+    const bool wantsLast = painter.plan().wantsLast(numbers.back());
+    painter.finish(numbers.back(), wantsLast ? &reader.seek(numbers.size() - 1) : nullptr,
+                   progressed);
     return false;
 }
 
@@ -282,15 +275,15 @@ RenderResult renderRun(const RenderRequest& request, const RenderObserver& obser
     }
     FramePainter painter(paint);
     painter.stopWhen(observer.stopRequested);
-    painter.keepEvery(pictures.stride());
+    painter.plan().keepEvery(pictures.stride());
     place.begin();
 
     RenderResult result = resultOf(reader, directory);
     const std::size_t stride = request.video.empty() ? pictures.stride() : 1;
     result.stopped = drawFrames(painter, reader, (selected + stride - 1) / stride, observer);
-    result.allFrames = painter.count();
+    result.allFrames = painter.plan().count();
     const DrawnPictures& drawn = painter.drawn();
-    result.frames = painter.count() - drawn.others;
+    result.frames = result.allFrames - drawn.others;
     result.missing = drawn.missing;
     result.surplus = request.gather ? picturesBeside(drawn.numbers, directory / "frames") : 0;
     result.skippedFrames = drawn.skipped;

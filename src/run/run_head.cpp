@@ -2,7 +2,7 @@
 #include "run/run_head.hpp"
 
 #include "output/scene_json.hpp"
-#include "run/frame_drawer.hpp"
+#include "run/frame_painter.hpp"
 #include "run/frame_timing.hpp"
 
 #include <frostfill/error.hpp>

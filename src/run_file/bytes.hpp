@@ -58,8 +58,15 @@ public:
     {
         count((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
     }
+    // What ByteReader reads in the same words, as it does raw().
+    void passSize(std::uint64_t& size, std::uint64_t /*known*/) { count(size); }
+    void pass(std::uint64_t& number, std::uint64_t /*largest*/) { count(number); }
+    void pass(std::int64_t& number, std::int64_t before)
+    {
+        difference(wrappedDifference(number, before));
+    }
     /// Ascending ids: how many, then each as the difference from the one before.
-    void ids(const std::vector<std::uint32_t>& ids)
+    void pass(const std::vector<std::uint32_t>& ids, std::size_t /*below*/)
     {
         count(ids.size());
         std::uint32_t before = 0;
@@ -68,19 +75,6 @@ public:
             count(id - before);
             before = id;
         }
-    }
-    // What ByteReader reads in the same words.
-    void passSize(std::uint64_t& size, std::uint64_t /*known*/) { count(size); }
-    void pass(std::uint64_t& number, std::uint64_t /*largest*/) { count(number); }
-    void pass(std::int64_t& number, std::int64_t before)
-    {
-        difference(wrappedDifference(number, before));
-    }
-    void pass(std::vector<std::uint32_t>& list, std::size_t /*below*/) { ids(list); }
-    template <typename Value>
-    void passRaw(Value& value)
-    {
-        raw(value);
     }
     [[nodiscard]] std::string& bytes() { return bytes_; }
     [[nodiscard]] const std::string& bytes() const { return bytes_; }
@@ -96,15 +90,14 @@ public:
     explicit ByteReader(std::string_view bytes = {}) : rest_(bytes) {}
 
     template <typename Value>
-    [[nodiscard]] Value raw()
+    void raw(Value& value)
     {
-        Value value;
         std::memcpy(&value, take(sizeof value).data(), sizeof value);
-        return value;
     }
     [[nodiscard]] std::uint64_t count()
     {
-        const auto first = raw<std::uint8_t>(); // nearly always the only one
+        std::uint8_t first = 0;
+        raw(first); // nearly always the only one
         if (first < 0x80)
         {
             return first;
@@ -112,7 +105,8 @@ public:
         std::uint64_t value = first & 0x7F;
         for (int shift = 7; shift < 64; shift += 7)
         {
-            const auto byte = raw<std::uint8_t>();
+            std::uint8_t byte = 0;
+            raw(byte);
             value |= static_cast<std::uint64_t>(byte & 0x7F) << shift;
             if (byte < 0x80)
             {
@@ -165,11 +159,6 @@ public:
             }
             each = static_cast<std::uint32_t>(id);
         }
-    }
-    template <typename Value>
-    void passRaw(Value& value)
-    {
-        value = raw<Value>();
     }
     [[nodiscard]] std::string_view take(std::size_t bytes)
     {

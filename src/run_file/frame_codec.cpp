@@ -134,12 +134,12 @@ void FrameCodec::goThroughFacts(std::uint64_t flags, Named<Bytes>& streams, cons
     facts_ = now;
     snapshot_.step = static_cast<std::uint64_t>(now[0]);
     snapshot_.set = static_cast<std::uint32_t>(now[1]);
-    streams["times"].passRaw(snapshot_.time);
+    streams["times"].raw(snapshot_.time);
     Pose& pose = snapshot_.pose;
     pose = flags == kHasPose ? pose : Pose();
     for (int k = 0; flags == kHasPose && k < 12; ++k)
     {
-        streams["poses"].passRaw(k < 9 ? pose.rotation(k / 3, k % 3) : pose.offset[k - 9]);
+        streams["poses"].raw(k < 9 ? pose.rotation(k / 3, k % 3) : pose.offset[k - 9]);
     }
 }
 
@@ -196,7 +196,7 @@ void FrameCodec::goThroughPlaces(Named<Bytes>& streams, const Given* given)
         {
             for (double& coordinate : centre)
             {
-                exact.passRaw(coordinate);
+                exact.raw(coordinate);
             }
             centres_[id] = centre;
             snapshot_.centres[id] = (centre - snapshot_.origin).cast<float>();
@@ -320,7 +320,7 @@ void FrameCodec::goThroughCarried(Named<Bytes>& streams, const Given* given)
             }
             else
             {
-                stream.passRaw(bits);
+                stream.raw(bits);
             }
             known.bits[id] = bits;
         }

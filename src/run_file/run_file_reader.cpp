@@ -70,10 +70,10 @@ struct RunFileReader::Implementation
     {
         const std::string bytes = unpackRecord(headRecord);
         ByteReader in(bytes);
-        grid = in.raw<double>();
-        for (int axis = 0; axis < 3; ++axis)
+        in.raw(grid);
+        for (double& coordinate : origin)
         {
-            origin[axis] = in.raw<double>();
+            in.raw(coordinate);
         }
         head = bytes.substr(4 * sizeof(double));
         if (!(grid > 0) || !origin.allFinite())

@@ -128,9 +128,9 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& file, std::string_view
     ByteWriter numbers;
     numbers.raw(gridOf(smallestRadius));
     const Eigen::Vector3d origin = boundingBox(mesh).center();
-    for (int axis = 0; axis < 3; ++axis)
+    for (const double coordinate : origin)
     {
-        numbers.raw(origin[axis]);
+        numbers.raw(coordinate);
     }
     numbers.bytes() += head;
     const std::string start = std::string(kRunFileMagic) +

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Every n-th picture of a run: each has the number of its frame, and is what a renderer draws that
 // has drawn nothing before.
-#include "run/frame_drawer.hpp"
+#include "run/frame_painter.hpp"
+
 #include "support/load_png.hpp"
 #include "support/small_runs.hpp"
 
@@ -41,15 +42,16 @@ TEST(FramePainter, KeepsTheNumbersWhereOthersAreLeftOut)
         const PaintRequest request{mesh, scene, {}, {}, "run", folder.path(), {}, {}};
         std::deque<Snapshot> states;
         FramePainter painter(request);
-        painter.keepEvery(stride);
+        painter.plan().keepEvery(stride);
         constexpr std::size_t kFrames = 29;
         for (std::size_t frame = 0; frame < kFrames; ++frame)
         {
             states.push_back(stateOf(frame));
-            painter.wants(frame) ? painter.take(frame, {&states.back(), frame})
-                                 : painter.pass(frame);
+            states.back().revision = frame;
+            painter.plan().wants(frame) ? painter.take(frame, states.back())
+                                        : painter.plan().pass(frame);
         }
-        painter.finish(kFrames, {&states.back(), kFrames - 1});
+        painter.finish(kFrames, &states.back());
 
         std::vector<std::size_t> numbers;
         for (const std::filesystem::path& file : test::pictures(folder.path()))

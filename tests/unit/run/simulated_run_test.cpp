@@ -31,7 +31,7 @@ FillRequest smallRequest(Motion motion)
 SimulatedRun simulateIntoFile(const std::filesystem::path& file, Simulation& simulation,
                               const FillRequest& request, const FillObserver& observer)
 {
-    FrameRecorder states(nullptr, simulation.smallestRadius(), false);
+    FrameRecorder states(nullptr, simulation.smallestRadius());
     states.carry(columnsToCarry(request.scene));
     states.keepIn(std::make_unique<RunFileWriter>(file, "", builtInMesh(request.scene.object.mesh),
                                                   simulation.smallestRadius()));
@@ -42,7 +42,7 @@ std::string runFileOf(const FillRequest& request, const std::filesystem::path& f
 {
     const LoadedMesh mesh = loadMesh(request.scene.object.mesh);
     Simulation simulation(request.scene, mesh.mesh);
-    FrameRecorder recorder(nullptr, simulation.smallestRadius(), false);
+    FrameRecorder recorder(nullptr, simulation.smallestRadius());
     recorder.carry(columnsToCarry(request.scene));
     recorder.keepIn(
         std::make_unique<RunFileWriter>(file, "{}", mesh.mesh, simulation.smallestRadius()));
@@ -177,7 +177,7 @@ TEST(SimulatedRun, ThatIsStoppedShowsWhereItStopped)
     EXPECT_GT(simulation.steps(), 0u);
     EXPECT_LE(simulation.steps(), 21u);
     KeptStates states(folder / "states");
-    FrameRecorder recorder(nullptr, simulation.smallestRadius(), false);
+    FrameRecorder recorder(nullptr, simulation.smallestRadius());
     EXPECT_EQ(replay(run.end, states, recorder, simulation, {}, 1), RunEnd::stopped);
     const RunState last = states.at(states.count() - 1);
     EXPECT_EQ(last.time, simulation.time());

@@ -208,7 +208,7 @@ TEST_F(FrameCodec, WrapsNumbersRoundThatAreTooLarge)
         streams["changes"].count(1);
         for (int list = 0; list < 3; ++list)
         {
-            streams["changes"].ids({});
+            streams["changes"].pass(std::vector<std::uint32_t>(), 0);
         }
         for (const char* axis : {"x", "y", "z"})
         {

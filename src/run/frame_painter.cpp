@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run/frame_drawer.hpp"
+#include "run/frame_painter.hpp"
 
 #include "run/frame_timing.hpp"
 
@@ -81,8 +81,9 @@ bool showsSpheres(const Snapshot& state)
 
 } // namespace
 
-FrameDrawer::FrameDrawer(const PaintRequest& request)
-    : request_(request), settings_(renderSettings(request.scene, request.range, request.poses)),
+FramePainter::FramePainter(const PaintRequest& request)
+    : request_(request), plan_(request.scene, request.turn, !request.video.empty()),
+      settings_(renderSettings(request.scene, request.range, request.poses)),
       writer_(request.directory / "frames", textOfRun(request)),
       sideOutputs_(request.scene, request.directory, request.video)
 {
@@ -91,6 +92,46 @@ FrameDrawer::FrameDrawer(const PaintRequest& request)
         settings_.camera = request_.path->at(0, settings_.camera);
         settings_.camera.turntable = 1; // the object fits, equally large, at all angles
     }
+    drawing_.push([this] { open(); });
+    drawing_.finish();
+}
+
+FramePainter::~FramePainter()
+{
+    try
+    {
+        drawing_.push([this] { renderer_.reset(); });
+        drawing_.finish();
+    }
+    catch (...)
+    {
+        // finish() reports errors. A destructor must not throw.
+    }
+}
+
+void FramePainter::push(const PicturePlan::Picture& picture, const Snapshot& state)
+{
+    drawing_.push([this, picture, &state] { draw(picture, state); });
+}
+
+void FramePainter::finish(std::size_t number, const Snapshot* last,
+                          const std::function<void()>& taken)
+{
+    plan_.finish(number, last != nullptr ? last->revision : 0, stopRequested_,
+                 [&](const PicturePlan::Picture& picture)
+                 {
+                     push(picture, *last);
+                     if (taken)
+                     {
+                         taken();
+                     }
+                 });
+    drawing_.push([this] { close(); });
+    drawing_.finish();
+}
+
+void FramePainter::open()
+{
     const Column* shown = findColumn(settings_.style.colourBy);
     if (shown != nullptr && shown->measured)
     {
@@ -101,7 +142,7 @@ FrameDrawer::FrameDrawer(const PaintRequest& request)
 }
 
 /// How far the camera has gone: on its path [s], or round the object [degree].
-double FrameDrawer::cameraAt(std::size_t clock) const
+double FramePainter::cameraAt(std::size_t clock) const
 {
     const double fps = request_.scene.frames.fps;
     if (request_.path)
@@ -113,7 +154,7 @@ double FrameDrawer::cameraAt(std::size_t clock) const
 }
 
 /// Whether a picture is not drawn, and for which reason.
-bool FrameDrawer::leavesOut(const PicturePlan::Picture& picture, const PngText& text)
+bool FramePainter::leavesOut(const PicturePlan::Picture& picture, const PngText& text)
 {
     if (!picture.index)
     {
@@ -134,19 +175,17 @@ bool FrameDrawer::leavesOut(const PicturePlan::Picture& picture, const PngText& 
 
 /// The state with what is measured of it. All of it is drawn again: a value may change where
 /// nothing has moved.
-const Snapshot& FrameDrawer::measured(const Snapshot& state)
+const Snapshot& FramePainter::measured(const Snapshot& state)
 {
-    std::swap(measuredStates_[0], measuredStates_[1]);
-    measuredStates_[0] = state;
-    measuredStates_[0].source = 0;
-    measured_->fill(measuredStates_[0]);
-    return measuredStates_[0];
+    measuredState_ = state;
+    measuredState_.source = 0;
+    measured_->fill(measuredState_);
+    return measuredState_;
 }
 
-void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& state,
-                       std::uint64_t revision)
+void FramePainter::draw(const PicturePlan::Picture& picture, const Snapshot& state)
 {
-    const std::pair shown(revision, cameraAt(picture.clock));
+    const std::pair shown(state.revision, cameraAt(picture.clock));
     const bool isNew = shown_ != shown;
     shown_ = shown;
     state_ = measured_ ? state_ : &state;
@@ -186,7 +225,7 @@ void FrameDrawer::draw(const PicturePlan::Picture& picture, const Snapshot& stat
     sideOutputs_.put(picture.frame, picture.index.has_value(), *renderer_, *state_, *image_);
 }
 
-void FrameDrawer::render(const Snapshot& state, bool isNew)
+void FramePainter::render(const Snapshot& state, bool isNew)
 {
     if (request_.path)
     {
@@ -208,7 +247,7 @@ void FrameDrawer::render(const Snapshot& state, bool isNew)
     }
 }
 
-void FrameDrawer::finish()
+void FramePainter::close()
 {
     drawn_.videoFailure = sideOutputs_.finish();
     drawn_.times = renderer_->times();
@@ -224,7 +263,7 @@ void FrameDrawer::finish()
     }
 }
 
-void FrameDrawer::checkForBlank()
+void FramePainter::checkForBlank()
 {
     if (!isDrawn_ || state_ == nullptr || !showsSpheres(*state_) ||
         std::min(settings_.size.width, settings_.size.height) < kFewPixels)
@@ -242,47 +281,6 @@ void FrameDrawer::checkForBlank()
     {
         // The pictures are there: without memory for another pass the run is no worse.
     }
-}
-
-FramePainter::FramePainter(const PaintRequest& request)
-    : plan_(request.scene, request.turn, !request.video.empty())
-{
-    drawing_.push([this, &request] { drawer_ = std::make_unique<FrameDrawer>(request); });
-    drawing_.finish();
-}
-
-FramePainter::~FramePainter()
-{
-    try
-    {
-        drawing_.push([this] { drawer_.reset(); });
-        drawing_.finish();
-    }
-    catch (...)
-    {
-        // finish() reports errors. A destructor must not throw.
-    }
-}
-
-void FramePainter::draw(const PicturePlan::Picture& picture, const State& state)
-{
-    drawing_.push([this, picture, state]
-                  { drawer_->draw(picture, *state.snapshot, state.revision); });
-}
-
-void FramePainter::finish(std::size_t number, const State& last, const std::function<void()>& taken)
-{
-    plan_.finish(number, last.revision, stopRequested_,
-                 [&](const PicturePlan::Picture& picture)
-                 {
-                     draw(picture, last);
-                     if (taken)
-                     {
-                         taken();
-                     }
-                 });
-    drawing_.push([this] { drawer_->finish(); });
-    drawing_.finish();
 }
 
 } // namespace frostfill

@@ -15,7 +15,6 @@
 
 #include <tbb/global_control.h>
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -80,37 +79,69 @@ struct DrawnPictures
     bool blank = false; ///< the last picture shows none of its spheres
 };
 
-/// Draws the pictures of a run and hands them to the writer, the passes and the video. It lives in
-/// one thread, which the renderer's context belongs to.
-class FrameDrawer
+/// Turns states of a run into pictures, from the simulation or from a run file. A picture
+/// depends on the request, the state and the number of its frame alone. The caller's thread selects
+/// and numbers them. One of our own, which the renderer's context belongs to, draws them and hands
+/// them to the writer, the passes and the video.
+class FramePainter
 {
 public:
-    /// Throws Error; see Renderer and Video.
-    explicit FrameDrawer(const PaintRequest& request);
+    /// Opens the renderer. Throws Error; see Renderer and Video.
+    explicit FramePainter(const PaintRequest& request);
+    ~FramePainter();
+    FramePainter(const FramePainter&) = delete;
+    FramePainter& operator=(const FramePainter&) = delete;
 
-    /// Pictures come in order. `revision` is equal for the same state once more. The state stays as
-    /// it is until two others were drawn, or until finish(). Throws what has gone wrong with an
-    /// earlier picture.
-    void draw(const PicturePlan::Picture& picture, const Snapshot& state, std::uint64_t revision);
-    /// Waits until everything is written, and looks whether the spheres can be seen at all.
-    void finish();
+    /// Which frames are to be taken. Those that are not are to be passed.
+    [[nodiscard]] PicturePlan& plan() { return plan_; }
+    [[nodiscard]] const PicturePlan& plan() const { return plan_; }
 
+    /// Asks this between the frames for which the last state is held.
+    void stopWhen(std::function<bool()> requested) { stopRequested_ = std::move(requested); }
+    /// Takes a frame that is wanted, in order. The revision of the state is equal for the same
+    /// state once more. The state stays as it is until two others were taken, or until wait().
+    /// Throws what has gone wrong with an earlier one.
+    void take(std::size_t frame, const Snapshot& state)
+    {
+        push(plan_.take(frame, state.revision), state);
+    }
+    /// Waits until what was taken is drawn.
+    void wait() { drawing_.finish(); }
+    /// Shows the last state for as long as it is held, and once at all if nothing shows it yet.
+    /// `number` is that of the last state, which may be null if it is not wanted. Calls taken(),
+    /// which may be empty, after each picture. Waits until everything is written, and looks whether
+    /// the spheres can be seen at all. Throws what has gone wrong.
+    void finish(std::size_t number, const Snapshot* last, const std::function<void()>& taken = {});
+
+    /// After wait() or finish().
     [[nodiscard]] const DrawnPictures& drawn() const { return drawn_; }
 
 private:
+    void push(const PicturePlan::Picture& picture, const Snapshot& state);
+
+    // What the other thread does.
+    void open();
     [[nodiscard]] double cameraAt(std::size_t clock) const;
     [[nodiscard]] bool leavesOut(const PicturePlan::Picture& picture, const PngText& text);
     [[nodiscard]] const Snapshot& measured(const Snapshot& state);
+    void draw(const PicturePlan::Picture& picture, const Snapshot& state);
     void render(const Snapshot& state, bool isNew);
     void checkForBlank();
+    void close();
 
+    /// Libraries start no more threads than there are cores at hand.
+    tbb::global_control cores_{tbb::global_control::max_allowed_parallelism,
+                               static_cast<std::size_t>(coresAtHand())};
     PaintRequest request_;
+    PicturePlan plan_;
+    std::function<bool()> stopRequested_;
+
     RenderSettings settings_;
     FrameWriter writer_;
     SideOutputs sideOutputs_;
     std::optional<Renderer> renderer_;
     std::optional<MeasuredColumns> measured_; ///< where one gives spheres their colours
-    std::array<Snapshot, 2> measuredStates_;  ///< in turn
+    Snapshot measuredState_;
     /// Of the newest picture: the revision of its state, and where the camera is.
     std::optional<std::pair<std::uint64_t, double>> shown_;
     const Snapshot* state_ = nullptr;       ///< that it shows
@@ -118,62 +149,8 @@ private:
     bool isDrawn_ = true;                   ///< the newest state was drawn, not left out
     std::vector<std::uint8_t> changedRows_; ///< since the last picture that was kept
     DrawnPictures drawn_;
-};
 
-/// Turns states of a run into pictures, from the simulation or from a run file. A picture
-/// depends on the request, the state and the number of its frame alone. This selects and numbers
-/// them in the caller's thread; FrameDrawer draws them in one of its own, and FrameWriter encodes
-/// and writes in another.
-class FramePainter
-{
-public:
-    /// A state of the run. It stays as it is until two others were taken, or until wait().
-    struct State
-    {
-        const Snapshot* snapshot = nullptr;
-        std::uint64_t revision = 0; ///< equal for the same state once more
-    };
-
-    /// Opens the renderer. Throws Error; see Renderer and Video.
-    explicit FramePainter(const PaintRequest& request);
-    ~FramePainter();
-
-    /// See PicturePlan.
-    void keepEvery(std::size_t stride) { plan_.keepEvery(stride); }
-    [[nodiscard]] bool wants(std::size_t frame) const { return plan_.wants(frame); }
-    void pass(std::size_t frame) { plan_.pass(frame); }
-    [[nodiscard]] bool wantsLast(std::size_t last) const { return plan_.wantsLast(last); }
-    [[nodiscard]] std::size_t count() const { return plan_.count(); }
-    [[nodiscard]] std::size_t stride() const { return plan_.stride(); }
-
-    /// Asks this between the frames for which the last state is held.
-    void stopWhen(std::function<bool()> requested) { stopRequested_ = std::move(requested); }
-    /// Takes a frame that is wanted. Throws what has gone wrong with an earlier one.
-    void take(std::size_t frame, const State& state)
-    {
-        draw(plan_.take(frame, state.revision), state);
-    }
-    /// Waits until what was taken is drawn.
-    void wait() { drawing_.finish(); }
-    /// Shows the last state for as long as it is held, and once at all if nothing shows it yet.
-    /// `number` is that of the last state, which may be empty if it is not wanted. Calls taken(),
-    /// which may be empty, after each picture. Waits until everything is written, and looks whether
-    /// the spheres can be seen at all. Throws what has gone wrong.
-    void finish(std::size_t number, const State& last, const std::function<void()>& taken = {});
-
-    /// After wait() or finish().
-    [[nodiscard]] const DrawnPictures& drawn() const { return drawer_->drawn(); }
-
-private:
-    void draw(const PicturePlan::Picture& picture, const State& state);
-
-    /// Libraries start no more threads than there are cores at hand.
-    tbb::global_control cores_{tbb::global_control::max_allowed_parallelism,
-                               static_cast<std::size_t>(coresAtHand())};
-    PicturePlan plan_;
-    std::function<bool()> stopRequested_;
-    std::unique_ptr<FrameDrawer> drawer_; ///< of the other thread
-    OrderedWorker drawing_;               ///< last: it uses the drawer
+    OrderedWorker drawing_; ///< last: it uses all the others
 };
 
 } // namespace frostfill
