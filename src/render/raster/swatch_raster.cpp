@@ -10,17 +10,17 @@
 
 namespace frostfill
 {
-SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& variant, int samples)
-    : samples_(samples)
+SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, int samples) : samples_(samples)
 {
+    const ShaderVariant variant = variantOfSwatches(viewpoint.variant());
     const RenderSettings& settings = viewpoint.settings();
     const Legend& legend = viewpoint.legend();
     SphereUniforms flat;
     flat.projection = pixelProjection(settings.size);
     flat.supersample = static_cast<float>(settings.supersample);
     const float lineWidth = strokesFor(settings).lineWidth;
-    raster_ = std::make_unique<SphereRaster>(flat, variantOfSwatches(variant), settings.size,
-                                             settings.style, lineWidth, samples);
+    raster_ = std::make_unique<SphereRaster>(flat, variant, settings.size, settings.style,
+                                             lineWidth, samples);
     shapes_ = swatchShapes(legend, viewpoint.colours(), settings.size.height);
     for (const SphereInstance& sphere : shapes_.spheres)
     {
@@ -31,8 +31,8 @@ SwatchRaster::SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& vari
         pixels_ = around(pixels_, placed_.back().pixels);
     }
     ShellRaster& polygons = *(polygons_ = std::make_unique<ShellRaster>(
-                                  shapes_.polygons, variantOfSwatches(variant),
-                                  shellPalette(settings.style), strokesFor(settings), samples));
+                                  shapes_.polygons, variant, shellPalette(settings.style),
+                                  strokesFor(settings), samples));
     polygons.lookFrom(flat, true, settings.size, shapes_.strengths);
     polygons.setStates(shapes_.states);
     triangles_ = polygons.inDrawingOrder();

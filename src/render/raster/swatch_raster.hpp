@@ -44,8 +44,7 @@ struct SwatchShapes
 class SwatchRaster
 {
 public:
-    /// `variant` is that of the scene.
-    SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& variant, int samples);
+    SwatchRaster(const Viewpoint& viewpoint, int samples);
 
     /// Around all of them, in the picture.
     [[nodiscard]] const PixelRectangle& pixels() const { return pixels_; }

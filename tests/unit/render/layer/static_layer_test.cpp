@@ -182,41 +182,6 @@ TEST_P(StaticLayerTest, WritesOnlyTextThatReadsDifferently)
     expectSame(run.snapshot, "and narrower again");
 }
 
-// A picture in which one sphere comes to rest while others run takes two marks, of which the second
-// may not be one too many.
-TEST(StaticLayerMarks, LastWhereverThePictureFallsThatTakesTwo)
-{
-    if (!test::openGl())
-    {
-        GTEST_SKIP() << test::kNoOpenGl;
-    }
-    const TriangleMesh mesh = torusMesh(1, 0.4, 24, 8);
-    RenderSettings settings;
-    settings.size = {90, 60};
-    settings.samples = 1;
-    settings.backend = *test::openGl();
-    RenderSettings plain = settings;
-    plain.staticLayer = false;
-    Renderer off(mesh, plain);
-    for (const int before : {252, 253, 254, 255})
-    {
-        Renderer on(mesh, settings);
-        MadeUpRun run(mesh, 0.1);
-        run.release(12);
-        for (int frame = 0; frame < before + 2; ++frame)
-        {
-            run.snapshot.centres[11].y() += 0.001F;
-            run.snapshot.states[0] = frame < before ? SphereState::running : SphereState::frozen;
-            const Image& image = on.draw(run.snapshot);
-            if (frame >= before)
-            {
-                EXPECT_TRUE(image.pixels == off.draw(run.snapshot).pixels)
-                    << frame << " after " << before;
-            }
-        }
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Renderer, StaticLayerTest,
                          testing::Values(Case{"OneSample", 1, false, true, 60, 0.1},
                                          Case{"FourSamples", 4, false, true, 60, 0.1},
