@@ -39,10 +39,6 @@ Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
     {
         layer_.emplace(gl_, wanted.size, wanted.samples, painter_.paintsOccluders());
     }
-    if (legend().visible())
-    {
-        swatches_.emplace(viewpoint(), wanted.samples > 1 ? kMaxTileSamples : 1);
-    }
 }
 
 Pipeline::~Pipeline()
@@ -182,15 +178,6 @@ void Pipeline::readBack(Image& image, std::span<const PixelRectangle> parts)
     context_->makeCurrent();
     const bool withAlpha = viewpoint().settings().style.palette.background[3] < 255;
     framebuffer_.readColour(image, parts, withAlpha);
-    if (swatches_ &&
-        std::any_of(parts.begin(), parts.end(),
-                    [&](const PixelRectangle& part) { return part.overlaps(swatches_->pixels()); }))
-    {
-        const PixelRectangle around =
-            common(inWholeLanes(swatches_->pixels()), framebuffer_.whole());
-        framebuffer_.readColour(image, {&around, 1}, withAlpha); // for they may lie there already
-        swatches_->draw(image);
-    }
 }
 
 void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)

@@ -11,7 +11,6 @@
 #include "render/picture/picture_backend.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_draw_list.hpp"
-#include "render/raster/swatch_raster.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -60,7 +59,6 @@ private:
     Framebuffer framebuffer_;
     ScenePainter painter_;
     std::optional<StaticLayer> layer_;
-    std::optional<SwatchRaster> swatches_;
     std::unique_ptr<SurfacePass> surfacePass_; ///< of the size that was asked for last
     SphereProjector projector_;
     PixelRectangle dirty_;                ///< the part that differs from the picture before

@@ -95,10 +95,9 @@ public:
     [[nodiscard]] virtual const std::string& description() const = 0;
 
     [[nodiscard]] const Framing& framing() const { return viewpoint_.framing(); }
-    [[nodiscard]] const Legend& legend() const { return viewpoint_.legend(); }
+    [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
 
 protected:
-    [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
     /// Returns the mesh that is drawn as the shell.
     [[nodiscard]] const DrawnShell& shell() const { return shell_; }
     [[nodiscard]] const SphereDrawList& spheres() const { return drawList_; }

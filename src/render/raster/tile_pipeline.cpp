@@ -58,10 +58,10 @@ void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView
                }
            });
     const TileGrid grid(size);
-    TileLists lists(grid);
+    TileLists lists(grid.count());
     for (std::uint32_t i = 0; i < sorted.size(); ++i)
     {
-        lists.list(i, placed[i].pixels);
+        grid.list(i, placed[i].pixels, lists);
     }
     const auto nearest =
         static_cast<float>(depthLimits(framing.projection, framing.orthographic).nearest);
@@ -85,16 +85,12 @@ void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings)
     : PictureBackend(mesh, settings), strokes_(strokesFor(settings, mesh.triangles.size())),
-      samples_(settings.samples > 1 ? kMaxTileSamples : 1), grid_(settings.size), triangles_(grid_),
+      samples_(settings.samples > 1 ? kMaxTileSamples : 1), grid_(settings.size),
       layer_(grid_, viewpoint(), samples_, sphereOcclusion())
 {
     runningIn_.resize(grid_.count());
     dirty_.resize(grid_.count());
     useShell();
-    if (viewpoint().legend().visible())
-    {
-        swatches_ = std::make_unique<SwatchRaster>(viewpoint(), samples_);
-    }
     useFraming();
 }
 
@@ -124,10 +120,10 @@ void TilePipeline::useFraming()
     if (shell_)
     {
         shell_->lookFrom(uniforms, framing().orthographic, settings.size, shell().edges());
-        triangles_.clear();
+        triangles_.assign(grid_.count(), {});
         for (const std::uint32_t triangle : shell_->inDrawingOrder())
         {
-            triangles_.list(triangle, shell_->bounds(triangle));
+            grid_.list(triangle, shell_->bounds(triangle), triangles_);
         }
         if (keptShell_)
         {
@@ -280,15 +276,11 @@ PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& 
     }
     if (shell_)
     {
-        const auto triangles = triangles_[tile];
+        const auto& triangles = triangles_[tile];
         keptShell_ ? keptShell_->draw(tile, triangles, dirty, work, resting)
                    : shell_->draw(triangles, dirty, work);
     }
     const PixelRectangle inPicture = grid_.inPicture(dirty);
-    if (swatches_ && swatches_->pixels().overlaps(inPicture))
-    {
-        swatches_->draw(dirty, work);
-    }
     if (!inPicture.empty())
     {
         resolve(work, dirty, samples_, image);

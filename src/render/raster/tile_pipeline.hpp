@@ -7,7 +7,6 @@
 #include "render/picture/sphere_draw_list.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/shell/shell_raster.hpp"
-#include "render/raster/swatch_raster.hpp"
 #include "render/raster/tile_layer.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -55,10 +54,9 @@ private:
     TileLists triangles_;                  ///< of the shell, for this camera
     std::optional<TileView> view_;
     TileLayer layer_;
-    std::unique_ptr<SwatchRaster> swatches_;
     std::vector<SphereBounds> running_;                     ///< [running]
     std::vector<std::optional<SphereLight>> runningLights_; ///< [running] none but in the studio
-    std::vector<std::vector<std::uint32_t>> runningIn_;     ///< [tiles] those that may be seen
+    TileLists runningIn_;                                   ///< [tiles] those that may be seen
     std::vector<PixelRectangle> dirty_;                     ///< [tiles] in the tile
     tbb::enumerable_thread_specific<SampleTile> work_;
     std::vector<PixelRectangle> parts_;
