@@ -234,6 +234,7 @@ void FrameDrawer::checkForBlank()
     try
     {
         PassPictures seen;
+        seen.withIdentity = false;
         renderer_->renderPasses(*state_, seen);
         drawn_.blank = std::all_of(seen.depth.pixels.begin(), seen.depth.pixels.end(),
                                    [](std::uint8_t byte) { return byte == 255; });

@@ -81,7 +81,6 @@ bool Viewpoint::follow(const Snapshot& snapshot)
     {
         pose_ = snapshot.pose;
         origin_ = snapshot.origin;
-        moved_ = true;
         renew();
     }
     return changes;
@@ -89,11 +88,8 @@ bool Viewpoint::follow(const Snapshot& snapshot)
 
 void Viewpoint::renew()
 {
-    framing_ = turned_ != 0 ? revolved(still_, settings_.up, turned_) : still_;
-    if (moved_)
-    {
-        framing_ = posed(framing_, pose_, origin_);
-    }
+    const Framing turned = turned_ != 0 ? revolved(still_, settings_.up, turned_) : still_;
+    framing_ = posed(turned, pose_, origin_);
     uniforms_ = uniformsOf(framing_, settings_);
     if (studio_)
     {

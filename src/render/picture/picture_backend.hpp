@@ -64,7 +64,6 @@ private:
     std::optional<Studio> studio_;
     SphereUniforms uniforms_;                          ///< of the framing
     double turned_ = 0;                                ///< [degree]
-    bool moved_ = false;                               ///< the object has been in a pose of its own
     Pose pose_;                                        ///< of the object
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero(); ///< about which it is
 };

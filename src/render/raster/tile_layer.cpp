@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -123,6 +124,10 @@ bool GroundRaster::draw(const TilePart& whole, TileBackground& pixels) const
     return seen;
 }
 
+/// Tiles whose samples are kept from picture to picture, of 32 KiB each: those of a picture of
+/// 1920x1080. Fewer: others are drawn again wherever something moves over them.
+constexpr int kMostKept = 2048;
+
 } // namespace
 
 TileLayer::TileLayer(const TileGrid& grid, const Viewpoint& viewpoint, int samples,
@@ -232,9 +237,17 @@ void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
 
 void TileLayer::repaintTiles(const RestingSpheres& resting, bool cull)
 {
+    std::atomic<int> kept = 0;
     tbb::parallel_for(std::size_t{0}, tiles_.size(),
                       [&](std::size_t tile)
-                      { tiles_[tile].repaint(view_->raster, resting, grid_.part(tile), cull); });
+                      {
+                          RestingTile& own = tiles_[tile];
+                          own.repaint(view_->raster, resting, grid_.part(tile), cull);
+                          if (own.samples() != nullptr && ++kept > kMostKept)
+                          {
+                              own.forgetSamples();
+                          }
+                      });
 }
 
 void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<PixelRectangle> dirty)

@@ -37,6 +37,11 @@ public:
     void add(std::size_t first, std::span<PixelRectangle> dirty);
 
     [[nodiscard]] const RestingTile& operator[](std::size_t tile) const { return tiles_[tile]; }
+    /// Brings a part of a tile to another one.
+    void copyTo(std::size_t tile, const TilePart& part, SampleTile& to) const
+    {
+        tiles_[tile].copyTo(view_->raster, restingSpheres(), part, to);
+    }
     [[nodiscard]] bool hides(const SphereBounds& sphere, std::size_t tile) const
     {
         return tiles_[tile].hides(sphere, grid_.part(tile));

@@ -267,7 +267,7 @@ PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& 
     TilePart dirty = grid_.part(tile);
     dirty.pixels = std::exchange(dirty_[tile], {});
     const RestingTile& resting = layer_[tile];
-    resting.copyTo(work, dirty.pixels);
+    layer_.copyTo(tile, dirty, work);
     for (const std::uint32_t sphere : runningIn_[tile])
     {
         const auto& light = runningLights_[sphere];

@@ -182,6 +182,35 @@ TEST_P(StaticLayerTest, WritesOnlyTextThatReadsDifferently)
     expectSame(run.snapshot, "and narrower again");
 }
 
+TEST(LargePictures, AreTheSameWhereNotAllTilesAreKept)
+{
+    const TriangleMesh mesh = boxMesh({1, 1, 1});
+    for (const bool occlusion : {false, true})
+    {
+        RenderSettings settings;
+        settings.size = {2600, 1800}; // more tiles than are kept, and spheres in all
+        settings.camera.azimuth = 0;
+        settings.camera.elevation = 0;
+        settings.camera.zoom = 8;
+        settings.style.ambientOcclusion = occlusion;
+        Renderer on(mesh, settings);
+        settings.staticLayer = false;
+        Renderer off(mesh, settings);
+        Snapshot snapshot;
+        addSphere(snapshot, {0, 0, 0}, 0.9, SphereState::frozen);
+        addSphere(snapshot, {0.02, 0, 0.92}, 0.03, SphereState::running);
+        const auto expectSame = [&](const char* when)
+        { EXPECT_TRUE(on.draw(snapshot).pixels == off.draw(snapshot).pixels) << when; };
+        expectSame("at first");
+        snapshot.centres[1].x() = -0.02F;
+        expectSame("one has moved");
+        snapshot.states[1] = SphereState::frozen;
+        expectSame("it has come to rest");
+        snapshot.states[0] = SphereState::discarded;
+        expectSame("the other is discarded");
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Renderer, StaticLayerTest,
                          testing::Values(Case{"OneSample", 1, false, true, 60, 0.1},
                                          Case{"FourSamples", 4, false, true, 60, 0.1},
