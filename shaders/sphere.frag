@@ -29,7 +29,15 @@ uniform float depthSlope; // window depth over distance; orthographic
 uniform vec2 samplePositions[SAMPLES]; // from the pixel's centre [pixel]
 #endif
 
+#ifdef SURFACES
+// Which sphere a pixel shows, where its surface faces, and how far it is.
+flat in vec4 identity;
+
+layout(location = 0) out vec4 normalColour;
+layout(location = 1) out vec4 identityColour;
+#else
 out vec4 colour;
+#endif
 
 #if defined(SAMPLES) && !defined(CUTAWAY)
 // Which of the pixel's samples lie inside the outline. Depth and colour are those of the centre, so
@@ -114,7 +122,7 @@ vec3 shaded(vec3 normal, vec2 at, float rhoSquared, float w)
     return lit * unhidden + own.haze + glossOf(own, dot(normal, kHighlight));
 }
 
-#ifdef CUTAWAY
+#if defined(CUTAWAY) || defined(SURFACES)
 uniform mat4 projection;
 
 // Every sample for itself: a cut runs through the middle of pixels.
@@ -141,9 +149,13 @@ void main()
     float enter = 1.0 / (1.0 + rise);
     float leave = 1.0 / (1.0 - rise);
 #endif
+    bool seen = rhoSquared < 1.0;
+#ifdef CUTAWAY
     CutMeeting met = meetCutPlanes(origin, direction, enter, leave);
-    bool seen = met.isThere && rhoSquared < 1.0;
-    vec3 hit = origin + met.t * direction;
+    seen = met.isThere && seen;
+    enter = met.t;
+#endif
+    vec3 hit = origin + enter * direction;
 #ifdef ORTHOGRAPHIC
     float depth = 0.5 * (projection[2][2] * hit.z + projection[3][2]) + 0.5;
 #else
@@ -152,10 +164,18 @@ void main()
     gl_FragDepth = seen ? depth : 2.0;
 
     vec3 fromCentre = (hit - centreAndCurvature.xyz) * centreAndCurvature.w;
+#ifdef CUTAWAY
+    vec3 cap = normalize(cutPlanes[met.onSecond ? 1 : 0].xyz);
+#endif
+#if defined(SURFACES) && defined(CUTAWAY)
+    fromCentre = met.capped ? cap : fromCentre;
+#endif
+#ifdef SURFACES
+    normalColour = vec4(0.5 + 0.5 * fromCentre, 1.0);
+    identityColour = identity;
+#else
     if (met.capped)
     {
-        vec4 plane = cutPlanes[met.onSecond ? 1 : 0];
-        vec3 cap = normalize(plane.xyz);
         float height = dot(fromCentre, cap);
         colour = vec4(onCut(look(), lightOn(cap), dot(fromCentre, fromCentre), height * height,
                             at.x + at.y),
@@ -165,6 +185,7 @@ void main()
     {
         colour = vec4(shaded(fromCentre, at, rhoSquared, w), 1.0);
     }
+#endif
 }
 #else
 void main()

@@ -39,7 +39,7 @@ flat out vec4 tintAndSteepness; // the sphere's own colour, e (r without perspec
 flat out vec4 hazeAndPixel; // what is added to the colour, a pixel's length in the sphere's radius
 flat out vec4 marks; // strength of gloss, of the ring, of the hatch and of the stripe
 flat out vec3 stripeAxis; // what the stripe is square to [eye space]
-flat out vec4 identity; // bytes of it, for surface.frag
+flat out vec4 identity; // bytes of it, for surfaces
 
 #ifdef STUDIO
 const bool kStudio = true;

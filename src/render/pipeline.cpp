@@ -31,17 +31,13 @@ Pipeline::Pipeline(const TriangleMesh& mesh, const RenderSettings& wanted)
     : PictureBackend(mesh, wanted), context_(openContext(wanted.backend)),
       gl_(loadGlFunctions(*context_)), description_(describe(*context_, gl_)),
       framebuffer_(gl_, wanted.size.width, wanted.size.height, wanted.samples),
-      painter_(gl_, mesh, shell(), viewpoint().settings(), framing(), samplePositions()),
+      painter_(gl_, viewpoint(), shell(), mesh.triangles.size(), sphereOcclusion(),
+               samplePositions()),
       projector_(framing(), wanted.size)
 {
     if (wanted.staticLayer)
     {
         layer_.emplace(gl_, wanted.size, wanted.samples, painter_.paintsOccluders());
-    }
-    if (legend().visible())
-    {
-        swatches_.emplace(viewpoint(), painter_.variant(),
-                          wanted.samples > 1 ? kMaxTileSamples : 1);
     }
 }
 
@@ -73,39 +69,25 @@ std::vector<glm::vec2> Pipeline::samplePositions() const
 void Pipeline::useFraming()
 {
     context_->makeCurrent();
-    painter_.lookFrom(framing());
+    painter_.useFraming();
     projector_ = SphereProjector(framing(), viewpoint().settings().size);
-    stale_ = true;
 }
 
 void Pipeline::useShell()
 {
     context_->makeCurrent();
-    painter_.setShell(shell());
+    painter_.useShell();
 }
 
 const std::vector<PixelRectangle>& Pipeline::draw(const Snapshot& snapshot, Image& /*image*/)
 {
     context_->makeCurrent();
-    follow(snapshot);
-    renewStencil();
-    const SphereDrawList::Changes& changes =
-        drawList_.update(snapshot, framing(), viewpoint().colours());
-    const PixelRectangle polygons = painter_.setPolygons(followShell(snapshot), shell().states());
-    const bool startAgain = stale_ || changes.everything;
-    if (startAgain && drawList_.resting().size() >= kSortFrom)
-    {
-        drawList_.sortFrontToBack(framing());
-    }
-    stale_ = false;
-    if (SphereOcclusion* sphereOcclusion = painter_.sphereOcclusion())
-    {
-        sphereOcclusion->follow(drawList_.resting(), startAgain ? 0 : changes.firstArrival);
-    }
+    const Changes changes = take(snapshot, false);
+    const PixelRectangle polygons = painter_.setPolygons(changes.triangles, shell().states());
     dirty_ = {};
     if (layer_)
     {
-        updateLayer(changes, polygons, startAgain);
+        updateLayer(changes, polygons);
         drawOverLayer();
     }
     else
@@ -123,8 +105,8 @@ void Pipeline::drawEverything()
     framebuffer_.bind();
     painter_.clear();
     painter_.paintGround();
-    painter_.paintSpheres(drawList_.resting());
-    painter_.paintSpheres(drawList_.running());
+    painter_.paintSpheres(spheres().resting());
+    painter_.paintSpheres(spheres().running());
     painter_.paintShell();
     dirty_ = framebuffer_.whole();
 }
@@ -134,26 +116,27 @@ void Pipeline::addDirty(const PixelRectangle& part)
     dirty_ = around(dirty_, common(part, framebuffer_.whole()));
 }
 
-void Pipeline::updateLayer(const SphereDrawList::Changes& changes, const PixelRectangle& polygons,
-                           bool startAgain)
+void Pipeline::updateLayer(const Changes& changes, const PixelRectangle& polygons)
 {
-    if (startAgain)
+    const std::span<const SphereInstance> resting = spheres().resting();
+    const std::size_t firstArrival = changes.spheres.firstArrival;
+    if (changes.startAgain)
     {
-        layer_->rebuild(painter_, projector_, drawList_.resting());
+        layer_->rebuild(painter_, projector_, resting);
         dirty_ = framebuffer_.whole();
         return;
     }
     PixelRectangle covered = polygons; // the part of the layer that is drawn anew
-    for (const std::size_t index : changes.recoloured)
+    for (const std::size_t index : changes.spheres.recoloured)
     {
         covered = around(covered, layer_->visiblePart(index));
     }
-    if (SphereOcclusion* sphereOcclusion = painter_.sphereOcclusion())
+    if (sphereOcclusion() != nullptr)
     {
         // What comes to rest takes light from what lies there.
         const auto isSeen = [&](std::uint32_t index)
         { return !layer_->visiblePart(index).empty(); };
-        for (const std::uint32_t index : sphereOcclusion->refresh(isSeen))
+        for (const std::uint32_t index : sphereOcclusion()->refresh(isSeen))
         {
             covered = around(covered, layer_->visiblePart(index));
         }
@@ -161,12 +144,11 @@ void Pipeline::updateLayer(const SphereDrawList::Changes& changes, const PixelRe
     addDirty(running_);
     if (!covered.empty())
     {
-        addDirty(layer_->repaint(painter_, drawList_.resting().first(changes.firstArrival), covered,
-                                 framebuffer_));
+        addDirty(layer_->repaint(painter_, resting.first(firstArrival), covered, framebuffer_));
     }
-    if (changes.firstArrival < drawList_.resting().size())
+    if (firstArrival < resting.size())
     {
-        addDirty(layer_->add(painter_, projector_, drawList_.resting(), changes.firstArrival));
+        addDirty(layer_->add(painter_, projector_, resting, firstArrival));
     }
 }
 
@@ -176,7 +158,7 @@ void Pipeline::drawOverLayer()
     running_ = {};
     spheres_.clear();
     parts_.clear();
-    for (const SphereInstance& sphere : drawList_.running())
+    for (const SphereInstance& sphere : spheres().running())
     {
         const ProjectedSphere seen = projector_.project(sphere);
         if (!layer_->hides(seen))
@@ -191,35 +173,11 @@ void Pipeline::drawOverLayer()
     addDirty(running_);
 }
 
-void Pipeline::renewStencil()
-{
-    // For what comes to rest, and for what runs.
-    constexpr int kStencilValuesPerPicture = 2;
-    if (!layer_ || !painter_.stencilIsFull(kStencilValuesPerPicture))
-    {
-        return;
-    }
-    layer_->framebuffer().bind();
-    painter_.resetStencil();
-    framebuffer_.bind();
-    painter_.resetStencil();
-    painter_.restartStencil();
-}
-
 void Pipeline::readBack(Image& image, std::span<const PixelRectangle> parts)
 {
     context_->makeCurrent();
     const bool withAlpha = viewpoint().settings().style.palette.background[3] < 255;
     framebuffer_.readColour(image, parts, withAlpha);
-    if (swatches_ &&
-        std::any_of(parts.begin(), parts.end(),
-                    [&](const PixelRectangle& part) { return part.overlaps(swatches_->pixels()); }))
-    {
-        const PixelRectangle around =
-            common(inWholeLanes(swatches_->pixels()), framebuffer_.whole());
-        framebuffer_.readColour(image, {&around, 1}, withAlpha); // for they may lie there already
-        swatches_->draw(image);
-    }
 }
 
 void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, Surfaces& surfaces)
@@ -229,9 +187,9 @@ void Pipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size, S
     if (!surfacePass_ || surfacePass_->size().width != size.width ||
         surfacePass_->size().height != size.height)
     {
-        surfacePass_ = std::make_unique<SurfacePass>(gl_, shapesOnly(painter_.variant()), size);
+        surfacePass_ = std::make_unique<SurfacePass>(gl_, shapesOnly(viewpoint().variant()), size);
     }
-    surfacePass_->draw(placeSpheres(snapshot, framing()), painter_.uniforms(), surfaces);
+    surfacePass_->draw(placeSpheres(snapshot, framing()), viewpoint().uniforms(), surfaces);
 }
 
 std::vector<double> Pipeline::readDepth()

@@ -11,7 +11,6 @@
 #include "render/picture/picture_backend.hpp"
 #include "render/picture/projected_sphere.hpp"
 #include "render/picture/sphere_draw_list.hpp"
-#include "render/raster/swatch_raster.hpp"
 
 #include <frostfill/renderer.hpp>
 
@@ -42,20 +41,17 @@ public:
     /// Window depth in 0..1, top row first; for samples == 1.
     [[nodiscard]] std::vector<double> readDepth();
 
-    /// Of the last picture, in the order in which they were drawn.
-    [[nodiscard]] const SphereDrawList& spheres() const { return drawList_; }
+    using PictureBackend::spheres;
 
 private:
     [[nodiscard]] std::vector<glm::vec2> samplePositions() const;
     void useFraming() override;
     void useShell() override;
     void drawEverything();
-    void updateLayer(const SphereDrawList::Changes& changes, const PixelRectangle& polygons,
-                     bool startAgain);
+    void updateLayer(const Changes& changes, const PixelRectangle& polygons);
     /// The part, as far as it lies in the picture, has to be renewed, too.
     void addDirty(const PixelRectangle& part);
     void drawOverLayer();
-    void renewStencil();
 
     std::unique_ptr<Context> context_;
     GlFunctions gl_;
@@ -63,11 +59,8 @@ private:
     Framebuffer framebuffer_;
     ScenePainter painter_;
     std::optional<StaticLayer> layer_;
-    std::optional<SwatchRaster> swatches_;
     std::unique_ptr<SurfacePass> surfacePass_; ///< of the size that was asked for last
     SphereProjector projector_;
-    SphereDrawList drawList_;
-    bool stale_ = true;                   ///< nothing of the picture before can be kept
     PixelRectangle dirty_;                ///< the part that differs from the picture before
     PixelRectangle running_;              ///< where spheres that run were drawn over the layer
     std::vector<SphereInstance> spheres_; ///< that run and can be seen

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/timers.hpp"
-#include "render/overlay/annotated_picture.hpp"
+#include "render/annotated_picture.hpp"
 #include "render/pipeline.hpp"
 #include "render/raster/tile_pipeline.hpp"
 
@@ -79,30 +79,15 @@ std::unique_ptr<PictureBackend> openBackend(const TriangleMesh& mesh,
 struct Renderer::Implementation
 {
     Implementation(const TriangleMesh& mesh, const RenderSettings& wanted)
-        : settings(wanted), backend(openBackend(mesh, enlarged(wanted)))
+        : size(wanted.size), backend(openBackend(mesh, enlarged(wanted))),
+          picture(backend->viewpoint())
     {
     }
 
-    /// What is done to a picture as a whole.
-    [[nodiscard]] bool finishesWhole() const { return settings.supersample > 1; }
-    void finishWhole(const Snapshot& snapshot)
-    {
-        whole = picture.pixels();
-        const Legend& legend = backend->legend();
-        for (const Legend::Piece& piece : legend.pieces(snapshot))
-        {
-            legend.draw(whole, piece);
-        }
-        whole = shrunk(whole, settings.supersample);
-        wholeRows.assign(static_cast<std::size_t>(whole.height), 1);
-    }
-
-    RenderSettings settings;
+    PictureSize size; ///< that was asked for
     std::unique_ptr<PictureBackend> backend;
     AnnotatedPicture picture;
     StageTimes times;
-    Image whole; ///< if the picture is finished as a whole
-    std::vector<std::uint8_t> wholeRows;
     Surfaces surfaces; ///< reused from frame to frame
 };
 
@@ -129,22 +114,13 @@ const Image& Renderer::draw(const Snapshot& snapshot)
         own.backend->readBack(picture.pixels(), *parts);
     }
     const StageTimer timer(own.times, Stage::rendering);
-    if (own.finishesWhole())
-    {
-        own.finishWhole(snapshot);
-    }
-    else
-    {
-        picture.finish(*parts, own.backend->legend(), snapshot);
-    }
-    return own.finishesWhole() ? own.whole : picture.image();
+    picture.finish(*parts, snapshot);
+    return picture.image();
 }
 
 std::span<const std::uint8_t> Renderer::changedRows() const
 {
-    return implementation_->finishesWhole()
-               ? std::span<const std::uint8_t>(implementation_->wholeRows)
-               : implementation_->picture.changedRows();
+    return implementation_->picture.changedRows();
 }
 
 void Renderer::render(const Snapshot& snapshot, Image& image)
@@ -170,7 +146,7 @@ void Renderer::renderPasses(const Snapshot& snapshot, PassPictures& pictures)
 {
     auto& own = *implementation_;
     const StageTimer timer(own.times, Stage::rendering);
-    own.backend->drawSurfaces(snapshot, own.settings.size, own.surfaces);
+    own.backend->drawSurfaces(snapshot, own.size, own.surfaces);
     makePassPictures(own.surfaces, own.backend->framing(), pictures);
 }
 

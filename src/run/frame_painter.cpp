@@ -273,6 +273,7 @@ void FramePainter::checkForBlank()
     try
     {
         PassPictures seen;
+        seen.withIdentity = false;
         renderer_->renderPasses(*state_, seen);
         drawn_.blank = std::all_of(seen.depth.pixels.begin(), seen.depth.pixels.end(),
                                    [](std::uint8_t byte) { return byte == 255; });

@@ -5,8 +5,11 @@
 
 #include <frostfill/renderer.hpp>
 
+#include <chrono>
+#include <future>
 #include <memory>
 #include <string>
+#include <thread>
 
 namespace frostfill
 {
@@ -48,6 +51,22 @@ private:
 /// The same through EGL: on a graphics card, on Mesa's software device, or on no device at all,
 /// whichever works first.
 [[nodiscard]] std::unique_ptr<Context> openEgl();
+
+/// Ends the process, with a message on standard error, when this lives for too long: for calls of
+/// other libraries that can wait forever and cannot be interrupted.
+class Watchdog
+{
+public:
+    /// Where no thread can be started nothing is watched.
+    Watchdog(std::chrono::milliseconds patience, std::string message, int exitCode);
+    ~Watchdog();
+    Watchdog(const Watchdog&) = delete;
+    Watchdog& operator=(const Watchdog&) = delete;
+
+private:
+    std::promise<void> over_;
+    std::thread thread_;
+};
 
 /// A backend that can be asked for.
 struct BackendChoice

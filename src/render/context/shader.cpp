@@ -14,6 +14,22 @@ namespace
 
 constexpr std::string_view kVersion = "#version 330 core\n";
 
+/// Throws what the driver says of a shader or program that has failed.
+void requireSuccess(GLuint object, GLenum status, decltype(GlFunctions::getShaderiv) statusOf,
+                    decltype(GlFunctions::getShaderInfoLog) logOf,
+                    decltype(GlFunctions::deleteShader) destroy, const char* what)
+{
+    GLint succeeded = GL_FALSE;
+    statusOf(object, status, &succeeded);
+    if (succeeded == GL_FALSE)
+    {
+        std::array<GLchar, 2048> log{};
+        logOf(object, static_cast<GLsizei>(log.size()), nullptr, log.data());
+        destroy(object);
+        throw Error(ErrorCode::noOpenGl, std::string(what) + log.data());
+    }
+}
+
 GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view definitions,
                std::string_view source)
 {
@@ -30,15 +46,8 @@ GLuint compile(const GlFunctions& gl, GLenum stage, std::string_view definitions
     gl.shaderSource(shader, static_cast<GLsizei>(parts.size()), strings.data(), lengths.data());
     gl.compileShader(shader);
 
-    GLint compiled = GL_FALSE;
-    gl.getShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled == GL_FALSE)
-    {
-        std::array<GLchar, 2048> log{};
-        gl.getShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        gl.deleteShader(shader);
-        throw Error(ErrorCode::noOpenGl, std::string("a shader does not compile: ") + log.data());
-    }
+    requireSuccess(shader, GL_COMPILE_STATUS, gl.getShaderiv, gl.getShaderInfoLog, gl.deleteShader,
+                   "a shader does not compile: ");
     return shader;
 }
 
@@ -71,15 +80,8 @@ ShaderProgram::ShaderProgram(const GlFunctions& gl, std::string_view definitions
     gl.deleteShader(vertexShader);
     gl.deleteShader(fragmentShader);
 
-    GLint linked = GL_FALSE;
-    gl.getProgramiv(program_, GL_LINK_STATUS, &linked);
-    if (linked == GL_FALSE)
-    {
-        std::array<GLchar, 2048> log{};
-        gl.getProgramInfoLog(program_, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        gl.deleteProgram(program_);
-        throw Error(ErrorCode::noOpenGl, std::string("the shaders do not link: ") + log.data());
-    }
+    requireSuccess(program_, GL_LINK_STATUS, gl.getProgramiv, gl.getProgramInfoLog,
+                   gl.deleteProgram, "the shaders do not link: ");
 }
 
 ShaderProgram::~ShaderProgram()

@@ -33,61 +33,55 @@ ShaderVariant uncut(ShaderVariant variant)
 
 } // namespace
 
-ScenePainter::ScenePainter(const GlFunctions& gl, const TriangleMesh& mesh, const DrawnShell& shell,
-                           const RenderSettings& settings, const Framing& framing,
-                           std::span<const glm::vec2> samplePositions)
-    : gl_(gl), settings_(settings), variant_(variantOf(settings, mesh)),
-      spherePass_(gl, uncut(variant_), samplePositions, settings_.style,
-                  strokesFor(settings).lineWidth),
-      meshPass_(gl, variant_, shellPalette(settings_.style),
-                strokesFor(settings, mesh.triangles.size())),
-      spheres_(gl, variant_.occlusion)
+ScenePainter::ScenePainter(const GlFunctions& gl, const Viewpoint& viewpoint,
+                           const DrawnShell& shell, std::size_t triangles,
+                           SphereOcclusion* occlusion, std::span<const glm::vec2> samplePositions)
+    : gl_(gl), viewpoint_(viewpoint), drawnShell_(shell), sphereOcclusion_(occlusion),
+      spherePass_(gl, uncut(viewpoint.variant()), samplePositions, viewpoint.settings().style,
+                  strokesFor(viewpoint.settings()).lineWidth),
+      meshPass_(gl, viewpoint.variant(), shellPalette(viewpoint.settings().style),
+                strokesFor(viewpoint.settings(), triangles)),
+      spheres_(gl, occlusion != nullptr)
 {
-    if (variant_.cutaway)
+    const Style& style = viewpoint.settings().style;
+    const float lineWidth = strokesFor(viewpoint.settings()).lineWidth;
+    if (viewpoint.variant().cutaway)
     {
-        cutSpherePass_.emplace(gl, variant_, samplePositions, settings_.style,
-                               strokesFor(settings).lineWidth);
+        cutSpherePass_.emplace(gl, viewpoint.variant(), samplePositions, style, lineWidth);
     }
-    studio_ = studioOf(mesh, settings, framing);
-    if (variant_.occlusion)
+    if (viewpoint.studio() && viewpoint.studio()->ground)
     {
-        sphereOcclusion_.emplace(lampOf(studio_), cutPlanesOf(settings_, framing));
+        ground_ = std::make_unique<GroundPass>(gl_, *viewpoint.studio()->ground);
     }
-    if (studio_ && studio_->ground)
-    {
-        ground_ = std::make_unique<GroundPass>(gl_, *studio_->ground);
-    }
-    framing_ = framing;
-    setShell(shell);
-    lookFrom(framing);
+    useShell();
+    useFraming();
     for (const glm::vec2& sample : samplePositions)
     {
         occluderShrink_ = std::max(occluderShrink_, glm::length(sample) + kOccluderSlack);
     }
     if (samplePositions.size() > 1 && paintsOccluders())
     {
-        plainSpherePass_.emplace(gl_, shapesOnly(variant_), std::span<const glm::vec2>(),
-                                 settings_.style, strokesFor(settings).lineWidth);
+        plainSpherePass_.emplace(gl_, shapesOnly(viewpoint.variant()), std::span<const glm::vec2>(),
+                                 style, lineWidth);
     }
 }
 
-void ScenePainter::setShell(const DrawnShell& shell)
+void ScenePainter::useShell()
 {
-    if (!settings_.style.shell)
+    if (viewpoint_.settings().style.shell)
     {
-        return;
+        shell_ = std::make_unique<MeshBuffer>(gl_, drawnShell_.shaded());
     }
-    shaded_ = shell.shaded(framing_, variant_.fadingLines);
-    shell_ = std::make_unique<MeshBuffer>(gl_, shaded_);
 }
 
 void ScenePainter::findBounds()
 {
-    const SphereProjector projector(framing_, settings_.size);
+    const SphereProjector projector(viewpoint_.framing(), viewpoint_.settings().size);
+    const ShadedMesh& mesh = drawnShell_.shaded();
     bounds_.clear();
-    for (std::size_t t = 0; t < shaded_.triangles.size(); ++t)
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
-        const auto [a, b, c] = shaded_.corners(t);
+        const auto [a, b, c] = mesh.corners(t);
         const glm::vec3 middle = (a + b + c) / 3.0F;
         const float reach = std::max(
             {glm::distance(middle, a), glm::distance(middle, b), glm::distance(middle, c)});
@@ -96,26 +90,11 @@ void ScenePainter::findBounds()
     }
 }
 
-void ScenePainter::setView(const Framing& framing)
+void ScenePainter::useFraming()
 {
-    framing_ = framing;
-    uniforms_ = uniformsOf(framing, settings_);
-    if (studio_)
-    {
-        studio_->light(framing, uniforms_);
-    }
-    if (variant_.cutaway)
-    {
-        meshPass_.setCutPlanes(uniforms_.cutPlanes);
-    }
-}
-
-void ScenePainter::lookFrom(const Framing& framing)
-{
-    setView(framing);
     if (shell_)
     {
-        shell_->setEdges(edgeStrengths(shaded_, glm::vec3(framing_.eye), framing_.orthographic));
+        shell_->setEdges(drawnShell_.edges());
         findBounds();
     }
 }
@@ -137,26 +116,19 @@ PixelRectangle ScenePainter::setPolygons(std::span<const std::uint32_t> changed,
 
 void ScenePainter::clear()
 {
-    const glm::vec4 background = toVector(settings_.style.palette.background);
+    const glm::vec4 background = toVector(viewpoint_.settings().style.palette.background);
     // Colours are premultiplied by alpha until they are read.
     gl_.clearColor(background.r * background.a, background.g * background.a,
                    background.b * background.a, background.a);
-    gl_.clearStencil(0);
     gl_.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }
 
 void ScenePainter::paintGround()
 {
-    if (ground_ && studio_->showsGround(framing_))
+    if (ground_ && viewpoint_.studio()->showsGround(viewpoint_.framing()))
     {
-        ground_->draw(uniforms_.view, uniforms_.projection);
+        ground_->draw(viewpoint_.uniforms());
     }
-}
-
-void ScenePainter::resetStencil()
-{
-    gl_.clearStencil(0);
-    gl_.clear(GL_STENCIL_BUFFER_BIT);
 }
 
 void ScenePainter::confine(const PixelRectangle& part)
@@ -172,7 +144,7 @@ void ScenePainter::endConfinement()
 
 void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres)
 {
-    if (!variant_.cutaway)
+    if (!cutSpherePass_)
     {
         paintSpheres(spheres, spherePass_);
         return;
@@ -181,7 +153,7 @@ void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres)
     cut_.clear();
     for (const SphereInstance& sphere : spheres)
     {
-        const CutShare share = cutShareOf(sphere, uniforms_);
+        const CutShare share = cutShareOf(sphere, viewpoint_.uniforms());
         if (share != CutShare::nothing)
         {
             (share == CutShare::whole ? whole_ : cut_).push_back(sphere);
@@ -198,7 +170,7 @@ void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres, const S
         return;
     }
     spheres_.update(spheres);
-    if (sphereOcclusion_)
+    if (sphereOcclusion_ != nullptr)
     {
         lights_.clear();
         for (const SphereInstance& sphere : spheres)
@@ -207,7 +179,7 @@ void ScenePainter::paintSpheres(std::span<const SphereInstance> spheres, const S
         }
         spheres_.light(lights_);
     }
-    pass.draw(spheres_, uniforms_);
+    pass.draw(spheres_, viewpoint_.uniforms());
 }
 
 void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
@@ -216,8 +188,8 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
     shrunk_.clear();
     for (SphereInstance sphere : spheres)
     {
-        const float ahead = framing_.orthographic ? 1 : projector.project(sphere).ahead;
-        sphere.radius -= occluderShrink_ * ahead / uniforms_.pixelScale;
+        const float ahead = viewpoint_.framing().orthographic ? 1 : projector.project(sphere).ahead;
+        sphere.radius -= occluderShrink_ * ahead / viewpoint_.uniforms().pixelScale;
         if (sphere.radius > 0 && ahead > 0)
         {
             shrunk_.push_back(sphere);
@@ -226,13 +198,14 @@ void ScenePainter::paintOccluders(std::span<const SphereInstance> spheres,
     if (!shrunk_.empty())
     {
         spheres_.update(shrunk_);
-        plainSpherePass_->draw(spheres_, uniforms_);
+        plainSpherePass_->draw(spheres_, viewpoint_.uniforms());
     }
 }
 
 void ScenePainter::paintShell()
 {
-    const PicturePart all{{0, 0, settings_.size.width, settings_.size.height}};
+    const auto& [width, height] = viewpoint_.settings().size;
+    const PicturePart all{{0, 0, width, height}};
     paintShell({&all, 1});
 }
 
@@ -253,7 +226,7 @@ void ScenePainter::paintShell(std::span<const PicturePart> parts)
         }
     }
     shell_->choose(chosen_);
-    meshPass_.draw(*shell_, uniforms_.view, uniforms_.projection);
+    meshPass_.draw(*shell_, viewpoint_.uniforms());
 }
 
 void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
@@ -263,13 +236,12 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     {
         return;
     }
-    ++stencilValue_;
     gl_.enable(GL_STENCIL_TEST);
-    gl_.stencilFunc(GL_ALWAYS, stencilValue_, 0xff);
+    gl_.stencilFunc(GL_ALWAYS, 1, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     paintSpheres(spheres);
     // Only what shows a new sphere has lost the surface over it; elsewhere it must not lie twice.
-    gl_.stencilFunc(GL_EQUAL, stencilValue_, 0xff);
+    gl_.stencilFunc(GL_EQUAL, 1, 0xff);
     gl_.stencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     // A triangle reaches far beyond a sphere that it covers a piece of, and with several samples
     // Mesa shades it there too before it finds no mark.
@@ -280,6 +252,7 @@ void ScenePainter::addSpheres(std::span<const SphereInstance> spheres,
     }
     confine(region);
     paintShell(parts);
+    gl_.clear(GL_STENCIL_BUFFER_BIT);
     endConfinement();
     gl_.disable(GL_STENCIL_TEST);
 }

@@ -20,9 +20,8 @@
 namespace frostfill
 {
 
-/// The key to the picture and its numbers, in the upper left corner. Its swatches are drawn by the
-/// passes that draw the scene, so that they show the very same cues; its text is drawn into the
-/// finished picture.
+/// The key to the picture and its numbers, in the upper left corner. Its swatches are drawn by what
+/// draws the scene in tiles, so that they show the very same cues.
 class Legend
 {
 public:
@@ -46,14 +45,16 @@ public:
     [[nodiscard]] const std::vector<Swatch>& spheres() const { return spheres_; }
     [[nodiscard]] const std::vector<Swatch>& polygons() const { return polygons_; }
 
-    /// Something that is drawn into the finished picture: a line, or the bar of the scale.
+    /// Something that is drawn into the finished picture: a line, the bar of the scale, or all
+    /// swatches, which others draw.
     struct Piece
     {
         enum class Kind : std::uint8_t
         {
             text,
             title,
-            bar
+            bar,
+            swatches
         };
         Kind kind = Kind::text;
         double x = 0, baseline = 0; ///< [pixel] of a line's first letter

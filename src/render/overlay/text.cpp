@@ -89,14 +89,21 @@ const Font::Glyph& Font::glyph(char32_t codepoint) const
     return glyph;
 }
 
-double Font::measure(std::string_view text) const
+template <typename Visit>
+double Font::along(double x, std::string_view text, Visit visit) const
 {
-    double width = 0;
     while (!text.empty())
     {
-        width += glyph(takeCodepoint(text)).advance;
+        const Glyph& next = glyph(takeCodepoint(text));
+        visit(next, static_cast<int>(std::lround(x)), text);
+        x += next.advance;
     }
-    return width;
+    return x;
+}
+
+double Font::measure(std::string_view text) const
+{
+    return along(0, text, [](const Glyph&, int, std::string_view) {});
 }
 
 std::array<int, 4> Font::bounds(double x, double baseline, std::string_view text) const
@@ -104,23 +111,22 @@ std::array<int, 4> Font::bounds(double x, double baseline, std::string_view text
     constexpr int kHalo = 1;
     std::array<int, 4> bounds{};
     bool any = false;
-    double pen = x;
-    while (!text.empty())
-    {
-        const Glyph& next = glyph(takeCodepoint(text));
-        const int left = static_cast<int>(std::lround(pen)) + next.left - kHalo;
-        const int top = static_cast<int>(std::lround(baseline)) + next.top - kHalo;
-        const std::array<int, 4> own = {left, top, left + next.width + 2 * kHalo,
-                                        top + next.height + 2 * kHalo};
-        if (!next.coverage.empty())
-        {
-            bounds = any ? std::array{std::min(bounds[0], own[0]), std::min(bounds[1], own[1]),
-                                      std::max(bounds[2], own[2]), std::max(bounds[3], own[3])}
-                         : own;
-            any = true;
-        }
-        pen += next.advance;
-    }
+    along(x, text,
+          [&](const Glyph& glyph, int pen, std::string_view)
+          {
+              const int left = pen + glyph.left - kHalo;
+              const int top = static_cast<int>(std::lround(baseline)) + glyph.top - kHalo;
+              const std::array<int, 4> own = {left, top, left + glyph.width + 2 * kHalo,
+                                              top + glyph.height + 2 * kHalo};
+              if (!glyph.coverage.empty())
+              {
+                  bounds =
+                      any ? std::array{std::min(bounds[0], own[0]), std::min(bounds[1], own[1]),
+                                       std::max(bounds[2], own[2]), std::max(bounds[3], own[3])}
+                          : own;
+                  any = true;
+              }
+          });
     return bounds;
 }
 
@@ -132,17 +138,13 @@ std::string Font::shorten(std::string_view text, double width) const
     }
     constexpr std::string_view kEllipsis = "\u2026";
     double used = measure(kEllipsis);
-    std::string_view rest = text;
     std::size_t kept = 0;
-    while (!rest.empty())
-    {
-        used += glyph(takeCodepoint(rest)).advance;
-        if (used > width)
-        {
-            break;
-        }
-        kept = text.size() - rest.size();
-    }
+    along(0, text,
+          [&](const Glyph& glyph, int, std::string_view rest)
+          {
+              used += glyph.advance;
+              kept = used <= width ? text.size() - rest.size() : kept;
+          });
     return std::string(text.substr(0, kept)).append(kEllipsis);
 }
 
@@ -182,26 +184,21 @@ void Font::draw(Image& image, double x, double baseline, std::string_view text,
         {{-1, -1}, {0, -1}, {1, -1}, {-1, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
     for (const bool isHalo : {true, false})
     {
-        std::string_view rest = text;
-        double pen = x;
-        while (!rest.empty())
-        {
-            const Glyph& next = glyph(takeCodepoint(rest));
-            const int left = static_cast<int>(std::lround(pen)) + next.left;
-            const int top = static_cast<int>(std::lround(baseline)) + next.top;
-            for (const auto& [dx, dy] : kAround)
-            {
-                if (isHalo)
-                {
-                    blend(image, next, left + dx, top + dy, halo);
-                }
-            }
-            if (!isHalo)
-            {
-                blend(image, next, left, top, colour);
-            }
-            pen += next.advance;
-        }
+        along(x, text,
+              [&, isHalo = isHalo](const Glyph& glyph, int pen, std::string_view)
+              {
+                  const int left = pen + glyph.left;
+                  const int top = static_cast<int>(std::lround(baseline)) + glyph.top;
+                  if (!isHalo)
+                  {
+                      blend(image, glyph, left, top, colour);
+                      return;
+                  }
+                  for (const auto& [dx, dy] : kAround)
+                  {
+                      blend(image, glyph, left + dx, top + dy, halo);
+                  }
+              });
     }
 }
 

@@ -50,6 +50,10 @@ private:
     struct Face;
 
     [[nodiscard]] const Glyph& glyph(char32_t codepoint) const;
+    /// Calls visit(glyph, pen, rest of the text behind it) for what is written from `x` on. Returns
+    /// where the pen ends.
+    template <typename Visit>
+    double along(double x, std::string_view text, Visit visit) const;
     static void blend(Image& image, const Glyph& glyph, int x, int y, const Colour& colour);
 
     double size_;

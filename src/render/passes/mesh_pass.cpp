@@ -40,11 +40,11 @@ std::vector<Vertex> verticesOf(const ShadedMesh& mesh)
 {
     std::vector<Vertex> vertices;
     vertices.reserve(mesh.triangles.size() * 3);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const auto& corners : mesh.triangles)
     {
-        for (std::size_t corner = 0; corner < 3; ++corner)
+        for (const std::uint32_t corner : corners)
         {
-            vertices.push_back({mesh.corners(t)[corner], mesh.normals[t][corner]});
+            vertices.push_back({mesh.positions[corner], mesh.normals[corner]});
         }
     }
     return vertices;
@@ -78,13 +78,10 @@ MeshBuffer::MeshBuffer(const GlFunctions& gl, const ShadedMesh& mesh)
     }
     gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers_[3]);
     edges_.assign(triangles_ * 3, {0, 0, 0, 255});
-    for (std::size_t t = 0; t < mesh.creaseDistances.size(); ++t)
+    for (std::size_t i = 0; i < edges_.size() && !mesh.creaseDistances.empty(); ++i)
     {
-        for (std::size_t corner = 0; corner < 3; ++corner)
-        {
-            edges_[3 * t + corner][3] =
-                static_cast<std::uint8_t>(std::lround(255 * mesh.creaseDistances[t][corner]));
-        }
+        edges_[i][3] = static_cast<std::uint8_t>(
+            std::lround(255 * mesh.creaseDistances[mesh.triangles[i / 3][i % 3]]));
     }
 }
 
@@ -147,8 +144,7 @@ void MeshBuffer::draw() const
 MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
                    const MeshStrokes& strokes)
     : gl_(gl), program_(gl, definitionsOf(variant), embedded::shader_mesh_vert(),
-                        embedded::shader_mesh_frag()),
-      pictureHeight_(strokes.pictureHeight)
+                        embedded::shader_mesh_frag())
 {
     program_.use();
     const std::array active = {toVector(palette.activePolygon)};
@@ -161,19 +157,13 @@ MeshPass::MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Pa
     program_.set("edgeFade", std::array{glm::vec2(strokes.edgeFade[0], strokes.edgeFade[1])});
 }
 
-void MeshPass::setCutPlanes(const std::array<glm::vec4, 2>& planes) const
+void MeshPass::draw(const MeshBuffer& mesh, const SphereUniforms& uniforms) const
 {
     program_.use();
-    program_.set("cutPlanes", planes);
-}
-
-void MeshPass::draw(const MeshBuffer& mesh, const glm::mat4& view,
-                    const glm::mat4& projection) const
-{
-    program_.use();
-    program_.set("view", view);
-    program_.set("projection", projection);
-    program_.set("pixelLength", 2 / (projection[1][1] * pictureHeight_));
+    program_.set("view", uniforms.view);
+    program_.set("projection", uniforms.projection);
+    program_.set("pixelLength", 1 / uniforms.pixelScale);
+    program_.set("cutPlanes", uniforms.cutPlanes);
     gl_.enable(GL_DEPTH_TEST);
     gl_.depthMask(GL_FALSE);
     gl_.enable(GL_BLEND);
@@ -214,11 +204,11 @@ GroundPass::~GroundPass()
     gl_.deleteVertexArrays(1, &array_);
 }
 
-void GroundPass::draw(const glm::mat4& view, const glm::mat4& projection) const
+void GroundPass::draw(const SphereUniforms& uniforms) const
 {
     program_.use();
-    program_.set("view", view);
-    program_.set("projection", projection);
+    program_.set("view", uniforms.view);
+    program_.set("projection", uniforms.projection);
     gl_.disable(GL_DEPTH_TEST);
     gl_.enable(GL_DEPTH_CLAMP); // it reaches further than the object, for which the far plane is
     gl_.depthMask(GL_FALSE);

@@ -10,8 +10,6 @@
 
 #include <frostfill/snapshot.hpp>
 
-#include <glm/mat4x4.hpp>
-
 #include <array>
 #include <span>
 #include <vector>
@@ -54,17 +52,13 @@ public:
     MeshPass(const GlFunctions& gl, const ShaderVariant& variant, const Palette& palette,
              const MeshStrokes& strokes);
 
-    /// Planes in eye space; see CutPlanes.
-    void setCutPlanes(const std::array<glm::vec4, 2>& planes) const;
-
     /// Blends back faces, then front faces, over what is there; depth is tested and not written, so
     /// the spheres stay in charge.
-    void draw(const MeshBuffer& mesh, const glm::mat4& view, const glm::mat4& projection) const;
+    void draw(const MeshBuffer& mesh, const SphereUniforms& uniforms) const;
 
 private:
     const GlFunctions& gl_;
     ShaderProgram program_;
-    float pictureHeight_; ///< [pixel]
 };
 
 /// The program that draws the ground, and the ground in the memory of OpenGL. Owns what it creates.
@@ -77,7 +71,7 @@ public:
     GroundPass& operator=(const GroundPass&) = delete;
 
     /// Blends over what is there, whatever its depth.
-    void draw(const glm::mat4& view, const glm::mat4& projection) const;
+    void draw(const SphereUniforms& uniforms) const;
 
 private:
     const GlFunctions& gl_;

@@ -181,8 +181,8 @@ void SpherePass::draw(const SphereBuffer& spheres, const SphereUniforms& uniform
 SurfacePass::SurfacePass(const GlFunctions& gl, const ShaderVariant& variant,
                          const PictureSize& size)
     : gl_(gl), size_(size), orthographic_(variant.orthographic),
-      program_(gl, definitionsOf(variant), embedded::shader_sphere_vert(),
-               embedded::shader_surface_frag()),
+      program_(gl, "#define SURFACES\n" + definitionsOf(variant), embedded::shader_sphere_vert(),
+               embedded::shader_sphere_frag()),
       buffer_(gl)
 {
     gl.genFramebuffers(1, &framebuffer_);

@@ -20,8 +20,8 @@ constexpr double kMostPixels = 0.5;
 } // namespace
 
 DrawnShell::DrawnShell(const TriangleMesh& mesh, const RenderSettings& settings,
-                       const Framing& framing)
-    : height_(settings.size.height)
+                       const Framing& framing, bool fadingLines)
+    : height_(settings.size.height), isSeen_(settings.style.shell), fadingLines_(fadingLines)
 {
     // With the edges of all triangles a picture shows the triangles themselves.
     if (settings.style.shell && settings.style.edges != EdgeLines::on &&
@@ -29,18 +29,35 @@ DrawnShell::DrawnShell(const TriangleMesh& mesh, const RenderSettings& settings,
     {
         dense_ = mesh;
         distance_ = wantedDistance(framing);
-        use(simplifyWithin(dense_, distance_));
+        use(simplifyWithin(dense_, distance_), framing);
     }
     else
     {
-        use({mesh, {}, {}});
+        use({mesh, {}, {}}, framing);
     }
+    lookFrom(framing);
 }
 
-void DrawnShell::use(SimplifiedShell shell)
+void DrawnShell::use(SimplifiedShell shell, const Framing& framing)
 {
     shell_ = std::move(shell);
     states_.assign(shell_.mesh.triangles.size(), PolygonState::active);
+    if (!isSeen_)
+    {
+        return;
+    }
+    std::vector<glm::vec3> normals(shell_.isTrue() ? 0 : shell_.mesh.triangles.size());
+    for (const auto& [shown, triangle] : shell_.standsFor)
+    {
+        const auto& [a, b, c] = cornersOf(dense_, triangle);
+        const Eigen::Vector3f normal = (b - a).cross(c - a).stableNormalized().cast<float>();
+        normals[shown] += glm::vec3(normal.x(), normal.y(), normal.z());
+    }
+    for (glm::vec3& normal : normals)
+    {
+        normal /= std::max(glm::length(normal), 1e-6F);
+    }
+    shaded_ = shadeMesh(shell_.mesh, inUnitSpace(shell_.mesh, framing), fadingLines_, normals);
 }
 
 /// A power of two [unit space] as a length of the mesh, so that it seldom changes when the camera
@@ -63,29 +80,13 @@ double DrawnShell::wantedDistance(const Framing& framing) const
 bool DrawnShell::lookFrom(const Framing& framing)
 {
     const double wanted = wantedDistance(framing);
-    if (wanted == distance_)
+    const bool changes = std::exchange(distance_, wanted) != wanted;
+    if (changes)
     {
-        return false;
+        use(simplifyWithin(dense_, wanted), framing);
     }
-    distance_ = wanted;
-    use(simplifyWithin(dense_, wanted));
-    return true;
-}
-
-ShadedMesh DrawnShell::shaded(const Framing& framing, bool fadingLines) const
-{
-    std::vector<glm::vec3> normals(shell_.isTrue() ? 0 : shell_.mesh.triangles.size());
-    for (const auto& [shown, triangle] : shell_.standsFor)
-    {
-        const auto& [a, b, c] = cornersOf(dense_, triangle);
-        const Eigen::Vector3f normal = (b - a).cross(c - a).stableNormalized().cast<float>();
-        normals[shown] += glm::vec3(normal.x(), normal.y(), normal.z());
-    }
-    for (glm::vec3& normal : normals)
-    {
-        normal /= std::max(glm::length(normal), 1e-6F);
-    }
-    return shadeMesh(shell_.mesh, inUnitSpace(shell_.mesh, framing), fadingLines, normals);
+    edges_ = edgeStrengths(shaded_, glm::vec3(framing.eye), framing.orthographic);
+    return changes;
 }
 
 std::span<const std::uint32_t> DrawnShell::follow(std::span<const PolygonState> polygons)

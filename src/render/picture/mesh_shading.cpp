@@ -10,6 +10,7 @@
 #include <cmath>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace frostfill
 {
@@ -57,8 +58,10 @@ float angleAt(const std::array<glm::vec3, 3>& triangle, std::size_t corner)
 
 /// Sum over the triangles around each corner's vertex, weighted by their angle there
 /// [Thuermer & Wuethrich 1998], of those that are not bent away by a crease. Stray creases are
-/// smoothed over: the noise of a scan would be seen as dots.
-void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
+/// smoothed over: the noise of a scan would be seen as dots. Splits vertices so that each has one
+/// normal. `distances` from creases are those of the mesh's vertices, or empty.
+void smoothNormals(const TriangleMesh& mesh, const std::vector<float>& distances,
+                   ShadedMesh& shaded)
 {
     std::vector<bool> creased(mesh.vertices.size());
     for (const ShadedMesh::Edge& edge : shaded.edges)
@@ -68,7 +71,6 @@ void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
             creased[end] = creased[end] || (edge.crease != 0 && !edge.stray);
         }
     }
-    shaded.normals.resize(mesh.triangles.size());
     std::vector<std::array<float, 3>> angles(mesh.triangles.size());
     for (std::size_t t = 0; t < angles.size(); ++t)
     {
@@ -76,8 +78,10 @@ void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
         angles[t] = {angleAt(corners, 0), angleAt(corners, 1), angleAt(corners, 2)};
     }
     const VertexTriangles around(mesh);
+    std::vector<glm::vec3> positions; // of the vertices that are split
     for (std::uint32_t vertex = 0; vertex < around.vertices(); ++vertex)
     {
+        const auto first = static_cast<std::ptrdiff_t>(positions.size());
         const auto cornerIn = [&](std::uint32_t t)
         {
             const auto& corners = mesh.triangles[t];
@@ -96,9 +100,29 @@ void smoothNormals(const TriangleMesh& mesh, ShadedMesh& shaded)
                     sum += neighbour * angles[other][cornerIn(other)];
                 }
             }
-            shaded.normals[own][cornerIn(own)] = sum == glm::vec3(0) ? face : unitOrZero(sum);
+            const glm::vec3 normal = sum == glm::vec3(0) ? face : unitOrZero(sum);
+            auto& normals = shaded.normals;
+            const auto index =
+                std::find(normals.begin() + first, normals.end(), normal) - normals.begin();
+            if (index == std::ssize(normals))
+            {
+                positions.push_back(shaded.positions[vertex]);
+                normals.push_back(normal);
+                if (!distances.empty())
+                {
+                    shaded.creaseDistances.push_back(distances[vertex] / kCreaseReach);
+                }
+            }
+            for (std::size_t corner = 0; corner < 3; ++corner)
+            {
+                if (mesh.triangles[own][corner] == vertex)
+                {
+                    shaded.triangles[own][corner] = static_cast<std::uint32_t>(index);
+                }
+            }
         }
     }
+    shaded.positions = std::move(positions);
 }
 
 void findEdges(const TriangleMesh& mesh, ShadedMesh& shaded)
@@ -128,68 +152,6 @@ void findEdges(const TriangleMesh& mesh, ShadedMesh& shaded)
         });
 }
 
-} // namespace
-
-ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
-                     bool fadingLines, std::span<const glm::vec3> trueNormals)
-{
-    ShadedMesh shaded;
-    shaded.positions = positions;
-    shaded.triangles = mesh.triangles;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    {
-        const std::array<glm::vec3, 3> corners = shaded.corners(t);
-        shaded.faceNormals.push_back(
-            unitOrZero(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
-    }
-    for (std::size_t t = 0; t < trueNormals.size(); ++t)
-    {
-        // Simplifying leaves slivers, whose own normals say nothing of the surface.
-        if (glm::dot(shaded.faceNormals[t], trueNormals[t]) < kTiltedCosine)
-        {
-            shaded.faceNormals[t] = trueNormals[t];
-        }
-    }
-    findEdges(mesh, shaded);
-    if (fadingLines)
-    {
-        findStrayCreases(positions, shaded);
-        shaded.creaseDistances = distancesFromCreases(mesh, positions, shaded.edges);
-    }
-    smoothNormals(mesh, shaded);
-    return shaded;
-}
-
-std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye,
-                                                       bool orthographic)
-{
-    std::vector<bool> facesViewer(mesh.triangles.size());
-    for (std::size_t t = 0; t < facesViewer.size(); ++t)
-    {
-        const glm::vec3& corner = mesh.positions[mesh.triangles[t].front()];
-        const float offset = orthographic ? 0 : glm::dot(mesh.faceNormals[t], corner);
-        facesViewer[t] = glm::dot(mesh.faceNormals[t], eye) > offset;
-    }
-    std::vector<std::array<std::uint8_t, 3>> strengths(mesh.triangles.size());
-    for (const ShadedMesh::Edge& edge : mesh.edges)
-    {
-        const auto& [first, second] = edge.triangles;
-        const bool paired = second != ShadedMesh::Edge::kNone;
-        const bool outline = paired && facesViewer[first] != facesViewer[second];
-        const std::uint8_t strength = outline      ? kOutline
-                                      : edge.stray ? kPlain
-                                                   : std::max(edge.crease, kPlain);
-        for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)
-        {
-            strengths[edge.triangles[side]][edge.corners[side]] = strength;
-        }
-    }
-    return strengths;
-}
-
-namespace
-{
-
 /// Creases that hang together and are shorter than this in all are stray. [unit space]
 constexpr float kShortestCrease = 0.08F;
 
@@ -217,11 +179,18 @@ float distanceToSegment(const glm::vec3& point, const glm::vec3& a, const glm::v
     return glm::distance(point, a + share * along);
 }
 
-/// Distance of every vertex from the nearest crease, at most kCreaseReach: each vertex that is
-/// reached asks its neighbours whether the crease nearest to it is nearest to them too.
-std::vector<float> spread(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
-                          const std::vector<ShadedMesh::Edge>& edges)
+/// Distance of every vertex from the nearest crease, at most kCreaseReach; empty if there is none.
+/// Where triangles are smaller than a line is wide, the line runs over more than those on either
+/// side of its edge, which have to know how far it is. Each vertex that is reached asks its
+/// neighbours whether the crease nearest to it is nearest to them too.
+std::vector<float> distancesFromCreases(const TriangleMesh& mesh,
+                                        const std::vector<glm::vec3>& positions,
+                                        const std::vector<ShadedMesh::Edge>& edges)
 {
+    if (std::none_of(edges.begin(), edges.end(), isCrease))
+    {
+        return {};
+    }
     using Arrival = std::tuple<float, std::uint32_t, std::uint32_t>; // distance, vertex, crease
     std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> arrivals;
     std::vector<float> distances(positions.size(), kCreaseReach);
@@ -262,8 +231,8 @@ std::vector<float> spread(const TriangleMesh& mesh, const std::vector<glm::vec3>
     return distances;
 }
 
-} // namespace
-
+/// Marks creases that hang together with few others: where a scan is rough, single edges are bent
+/// as much as those of a box. `positions` are the mesh's vertices in unit space.
 void findStrayCreases(const std::vector<glm::vec3>& positions, ShadedMesh& shaded)
 {
     DisjointSets joined(positions.size());
@@ -311,23 +280,64 @@ void findStrayCreases(const std::vector<glm::vec3>& positions, ShadedMesh& shade
     }
 }
 
-std::vector<std::array<float, 3>> distancesFromCreases(const TriangleMesh& mesh,
-                                                       const std::vector<glm::vec3>& positions,
-                                                       const std::vector<ShadedMesh::Edge>& edges)
+} // namespace
+
+ShadedMesh shadeMesh(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
+                     bool fadingLines, std::span<const glm::vec3> trueNormals)
 {
-    if (std::none_of(edges.begin(), edges.end(), isCrease))
+    ShadedMesh shaded;
+    shaded.positions = positions;
+    shaded.triangles = mesh.triangles;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
-        return {};
+        const std::array<glm::vec3, 3> corners = shaded.corners(t);
+        shaded.faceNormals.push_back(
+            unitOrZero(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
     }
-    const std::vector<float> distances = spread(mesh, positions, edges);
-    std::vector<std::array<float, 3>> ofCorners;
-    ofCorners.reserve(mesh.triangles.size());
-    for (const auto& [a, b, c] : mesh.triangles)
+    for (std::size_t t = 0; t < trueNormals.size(); ++t)
     {
-        ofCorners.push_back({distances[a] / kCreaseReach, distances[b] / kCreaseReach,
-                             distances[c] / kCreaseReach});
+        // Simplifying leaves slivers, whose own normals say nothing of the surface.
+        if (glm::dot(shaded.faceNormals[t], trueNormals[t]) < kTiltedCosine)
+        {
+            shaded.faceNormals[t] = trueNormals[t];
+        }
     }
-    return ofCorners;
+    findEdges(mesh, shaded);
+    std::vector<float> distances;
+    if (fadingLines)
+    {
+        findStrayCreases(positions, shaded);
+        distances = distancesFromCreases(mesh, positions, shaded.edges);
+    }
+    smoothNormals(mesh, distances, shaded);
+    return shaded;
+}
+
+std::vector<std::array<std::uint8_t, 3>> edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye,
+                                                       bool orthographic)
+{
+    std::vector<bool> facesViewer(mesh.triangles.size());
+    for (std::size_t t = 0; t < facesViewer.size(); ++t)
+    {
+        const glm::vec3& corner = mesh.positions[mesh.triangles[t].front()];
+        const float offset = orthographic ? 0 : glm::dot(mesh.faceNormals[t], corner);
+        facesViewer[t] = glm::dot(mesh.faceNormals[t], eye) > offset;
+    }
+    std::vector<std::array<std::uint8_t, 3>> strengths(mesh.triangles.size());
+    for (const ShadedMesh::Edge& edge : mesh.edges)
+    {
+        const auto& [first, second] = edge.triangles;
+        const bool paired = second != ShadedMesh::Edge::kNone;
+        const bool outline = paired && facesViewer[first] != facesViewer[second];
+        const std::uint8_t strength = outline      ? kOutline
+                                      : edge.stray ? kPlain
+                                                   : std::max(edge.crease, kPlain);
+        for (std::size_t side = 0; side < (paired ? 2U : 1U); ++side)
+        {
+            strengths[edge.triangles[side]][edge.corners[side]] = strength;
+        }
+    }
+    return strengths;
 }
 
 } // namespace frostfill

@@ -15,7 +15,9 @@
 namespace frostfill
 {
 
-/// Triangles in unit space, with what follows from their shape alone.
+/// Triangles in unit space, with what follows from their shape alone. A vertex of the mesh is here
+/// once for every normal that it has: where the surface is smooth, a camera looks at it once and
+/// not in every triangle.
 struct ShadedMesh
 {
     /// A triangle on either side of an edge; `kNone` at a rim.
@@ -30,14 +32,13 @@ struct ShadedMesh
         bool stray = false; ///< a crease too short to be one: noise of a scan
     };
 
-    std::vector<glm::vec3> positions;                    ///< [#V]
+    std::vector<glm::vec3> positions;                    ///< of its vertices
+    std::vector<glm::vec3> normals;                      ///< [positions] smooth but across creases
     std::vector<std::array<std::uint32_t, 3>> triangles; ///< [#T] indices into positions
-    std::vector<std::array<glm::vec3, 3>> normals;       ///< [#T x 3] smooth but across creases
     std::vector<glm::vec3> faceNormals;                  ///< [#T] unit, or zero
     std::vector<Edge> edges;
-    /// [#T x 3] from each corner to the nearest crease, 0..1 for 0..kCreaseReach; empty if there is
-    /// none.
-    std::vector<std::array<float, 3>> creaseDistances;
+    /// [positions] from the nearest crease, 0..1 for 0..kCreaseReach; empty if there is none.
+    std::vector<float> creaseDistances;
 
     [[nodiscard]] std::array<glm::vec3, 3> corners(std::size_t triangle) const
     {
@@ -69,15 +70,5 @@ inline constexpr std::uint8_t kOutline = shading::kOutlineEdge;
 /// Without perspective `eye` is the direction towards the viewer.
 [[nodiscard]] std::vector<std::array<std::uint8_t, 3>>
 edgeStrengths(const ShadedMesh& mesh, const glm::vec3& eye, bool orthographic);
-
-/// Marks creases that hang together with few others: where a scan is rough, single edges are bent
-/// as much as those of a box. `positions` are the mesh's vertices in unit space.
-void findStrayCreases(const std::vector<glm::vec3>& positions, ShadedMesh& shaded);
-
-/// What ShadedMesh::creaseDistances holds. Where triangles are smaller than a line is wide, the
-/// line runs over more than those on either side of its edge, which have to know how far it is.
-[[nodiscard]] std::vector<std::array<float, 3>>
-distancesFromCreases(const TriangleMesh& mesh, const std::vector<glm::vec3>& positions,
-                     const std::vector<ShadedMesh::Edge>& edges);
 
 } // namespace frostfill

@@ -34,7 +34,7 @@ MeshStrokes strokesFor(const RenderSettings& settings, std::size_t triangles)
     const auto [from, to] = off                      ? std::array{1e8F, 2e8F}
                             : edges == EdgeLines::on ? std::array{1.5F, 3.5F}
                                                      : std::array{6.0F, 14.0F};
-    return {width, static_cast<float>(settings.size.height), {from * width, to * width}};
+    return {width, {from * width, to * width}};
 }
 
 SphereUniforms uniformsOf(const Framing& framing, const RenderSettings& settings)

@@ -16,7 +16,6 @@ namespace frostfill
 struct MeshStrokes
 {
     float lineWidth = 1;
-    float pictureHeight = 720;
     std::array<float, 2> edgeFade = {0, 0}; ///< plain edges appear as triangles grow from one to
                                             ///< the other
 };

@@ -2,10 +2,13 @@
 #include "render/picture/picture_backend.hpp"
 
 #include "render/framing/framing.hpp"
+#include "render/picture/painter_settings.hpp"
 
 #include <frostfill/error.hpp>
 
 #include <fmt/core.h>
+
+#include <utility>
 
 namespace frostfill
 {
@@ -26,11 +29,6 @@ RenderSettings checked(const RenderSettings& wanted, const TriangleMesh& mesh)
                     fmt::format("samples per pixel must be between 1 and {}, not {}", kMaxSamples,
                                 settings.samples));
     }
-    if (settings.size.width < 1 || settings.size.height < 1)
-    {
-        throw Error(ErrorCode::usage, fmt::format("a picture of {}x{} pixels cannot be drawn",
-                                                  settings.size.width, settings.size.height));
-    }
     if (!settings.camera.azimuth)
     {
         settings.camera.azimuth = frontAzimuth(mesh, settings.up.normalized());
@@ -43,8 +41,10 @@ RenderSettings checked(const RenderSettings& wanted, const TriangleMesh& mesh)
 Viewpoint::Viewpoint(const TriangleMesh& mesh, const RenderSettings& wanted)
     : settings_(checked(wanted, mesh)), vertices_(verticesInPoses(mesh.vertices, wanted.poses)),
       colours_(settings_, vertices_), legend_(settings_, mesh.triangles.size(), colours_),
-      still_(frameBesideLegend(vertices_, settings_, legend_)), framing_(still_)
+      still_(frameBesideLegend(vertices_, settings_, legend_)),
+      variant_(variantOf(settings_, mesh)), studio_(studioOf(mesh, settings_, still_))
 {
+    renew();
 }
 
 void Viewpoint::lookFrom(const Camera& camera)
@@ -81,7 +81,6 @@ bool Viewpoint::follow(const Snapshot& snapshot)
     {
         pose_ = snapshot.pose;
         origin_ = snapshot.origin;
-        moved_ = true;
         renew();
     }
     return changes;
@@ -89,33 +88,37 @@ bool Viewpoint::follow(const Snapshot& snapshot)
 
 void Viewpoint::renew()
 {
-    framing_ = turned_ != 0 ? revolved(still_, settings_.up, turned_) : still_;
-    if (moved_)
+    const Framing turned = turned_ != 0 ? revolved(still_, settings_.up, turned_) : still_;
+    framing_ = posed(turned, pose_, origin_);
+    uniforms_ = uniformsOf(framing_, settings_);
+    if (studio_)
     {
-        framing_ = posed(framing_, pose_, origin_);
+        studio_->light(framing_, uniforms_);
     }
 }
 
 PictureBackend::PictureBackend(const TriangleMesh& mesh, const RenderSettings& settings)
-    : viewpoint_(mesh, settings), shell_(mesh, settings, viewpoint_.framing())
+    : viewpoint_(mesh, settings),
+      shell_(mesh, settings, viewpoint_.framing(), viewpoint_.variant().fadingLines)
 {
+    if (viewpoint_.variant().occlusion)
+    {
+        sphereOcclusion_.emplace(lampOf(viewpoint_.studio()),
+                                 cutPlanesOf(viewpoint_.settings(), viewpoint_.framing()));
+    }
 }
 
 void PictureBackend::lookFrom(const Camera& camera)
 {
     viewpoint_.lookFrom(camera);
-    if (shell_.lookFrom(viewpoint_.framing()))
-    {
-        useShell();
-    }
-    useFraming();
+    renew();
 }
 
 void PictureBackend::turn(double degrees)
 {
     if (viewpoint_.turn(degrees))
     {
-        useFraming();
+        renew();
     }
 }
 
@@ -123,8 +126,44 @@ void PictureBackend::follow(const Snapshot& snapshot)
 {
     if (viewpoint_.follow(snapshot))
     {
-        useFraming();
+        renew();
     }
+}
+
+void PictureBackend::renew()
+{
+    stale_ = true;
+    if (shell_.lookFrom(framing()))
+    {
+        useShell();
+    }
+    useFraming();
+}
+
+PictureBackend::Changes PictureBackend::take(const Snapshot& snapshot, bool cells)
+{
+    follow(snapshot);
+    const SphereDrawList::Changes& changes =
+        drawList_.update(snapshot, framing(), viewpoint_.colours());
+    const bool startAgain = std::exchange(stale_, false) || changes.everything;
+    std::size_t first = changes.firstArrival; // of what stands where it did not
+    if (startAgain)
+    {
+        const bool inCells = cells && drawList_.resting().size() >= kCellsFrom;
+        if (!inCells || drawList_.orderByCells())
+        {
+            first = 0;
+        }
+        if (!inCells && drawList_.resting().size() >= kSortFrom)
+        {
+            drawList_.sortFrontToBack(framing());
+        }
+    }
+    if (sphereOcclusion_)
+    {
+        sphereOcclusion_->follow(drawList_.resting(), first);
+    }
+    return {changes, shell_.follow(snapshot.polygons), startAgain};
 }
 
 } // namespace frostfill

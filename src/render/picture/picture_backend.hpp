@@ -8,11 +8,15 @@
 #include "render/overlay/colour_scale.hpp"
 #include "render/overlay/legend.hpp"
 #include "render/picture/drawn_shell.hpp"
+#include "render/picture/sphere_draw_list.hpp"
+#include "render/picture/sphere_occlusion.hpp"
+#include "render/picture/studio.hpp"
 #include "render/picture/surfaces.hpp"
 
 #include <frostfill/image.hpp>
 #include <frostfill/renderer.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,7 +24,8 @@
 namespace frostfill
 {
 
-/// From where the object is seen, beside its legend, when the camera and the object move.
+/// From where the object is seen, beside its legend and in which light, when the camera and the
+/// object move.
 class Viewpoint
 {
 public:
@@ -41,6 +46,10 @@ public:
     [[nodiscard]] const SphereColours& colours() const { return colours_; }
     [[nodiscard]] const Legend& legend() const { return legend_; }
     [[nodiscard]] const Framing& framing() const { return framing_; }
+    [[nodiscard]] const ShaderVariant& variant() const { return variant_; }
+    /// None in other styles.
+    [[nodiscard]] const std::optional<Studio>& studio() const { return studio_; }
+    [[nodiscard]] const SphereUniforms& uniforms() const { return uniforms_; }
 
 private:
     void renew();
@@ -49,10 +58,12 @@ private:
     std::vector<Eigen::Vector3d> vertices_; ///< of the mesh, for framing
     SphereColours colours_;
     Legend legend_;
-    Framing still_;                                    ///< as the camera has it
-    Framing framing_;                                  ///< turned, and with the object moved
+    Framing still_;   ///< as the camera has it
+    Framing framing_; ///< turned, and with the object moved
+    ShaderVariant variant_;
+    std::optional<Studio> studio_;
+    SphereUniforms uniforms_;                          ///< of the framing
     double turned_ = 0;                                ///< [degree]
-    bool moved_ = false;                               ///< the object has been in a pose of its own
     Pose pose_;                                        ///< of the object
     Eigen::Vector3d origin_ = Eigen::Vector3d::Zero(); ///< about which it is
 };
@@ -83,21 +94,33 @@ public:
     [[nodiscard]] virtual const std::string& description() const = 0;
 
     [[nodiscard]] const Framing& framing() const { return viewpoint_.framing(); }
-    [[nodiscard]] const Legend& legend() const { return viewpoint_.legend(); }
+    [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
 
 protected:
-    [[nodiscard]] const Viewpoint& viewpoint() const { return viewpoint_; }
     /// Returns the mesh that is drawn as the shell.
     [[nodiscard]] const DrawnShell& shell() const { return shell_; }
-    /// Takes the states of its triangles. Returns which have changed, until the next call.
-    std::span<const std::uint32_t> followShell(const Snapshot& snapshot)
+    [[nodiscard]] const SphereDrawList& spheres() const { return drawList_; }
+    /// Returns the spheres at rest as occluders; null without ambient occlusion.
+    [[nodiscard]] SphereOcclusion* sphereOcclusion()
     {
-        return shell_.follow(snapshot.polygons);
+        return sphereOcclusion_ ? &*sphereOcclusion_ : nullptr;
     }
+
     /// Looks at the object where it is in the snapshot.
     void follow(const Snapshot& snapshot);
+    /// What is different from the picture before.
+    struct Changes
+    {
+        const SphereDrawList::Changes& spheres;
+        std::span<const std::uint32_t> triangles; ///< of the shell, in another state
+        bool startAgain;                          ///< nothing of the picture before can be kept
+    };
+    /// Follows the snapshot, and takes its spheres and polygons. With `cells`, very many spheres at
+    /// rest stand in cells, whatever the camera. The changes stay until the next call.
+    Changes take(const Snapshot& snapshot, bool cells);
 
 private:
+    void renew();
     /// The framing has changed: nothing of the picture before can be kept.
     virtual void useFraming() = 0;
     /// So has the mesh of the shell.
@@ -105,6 +128,9 @@ private:
 
     Viewpoint viewpoint_;
     DrawnShell shell_;
+    SphereDrawList drawList_;
+    std::optional<SphereOcclusion> sphereOcclusion_;
+    bool stale_ = true; ///< nothing of the picture before can be kept
 };
 
 } // namespace frostfill

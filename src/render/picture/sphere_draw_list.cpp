@@ -30,9 +30,23 @@ std::uint32_t sortKey(float distance)
     return static_cast<std::uint32_t>(std::clamp((distance + 2) * 0.25F * kMax, 0.0F, kMax));
 }
 
-/// A key, and below it where it belongs.
-using Keyed = std::uint64_t;
 constexpr int kPlaceBits = 32;
+
+/// Returns the keys of places, each above its place, in their order; equal keys as they came.
+template <typename KeyOf>
+std::vector<std::uint64_t> sortedKeys(std::size_t count, KeyOf keyOf)
+{
+    std::vector<std::uint64_t> keys(count);
+    forAll(count, kSpheresPerTask,
+           [&](std::size_t i) { keys[i] = std::uint64_t{keyOf(i)} << kPlaceBits | i; });
+    tbb::parallel_sort(keys.begin(), keys.end());
+    return keys;
+}
+
+glm::vec3 centreOf(const SphereInstance& sphere)
+{
+    return {sphere.x, sphere.y, sphere.z};
+}
 
 std::array<const ColumnValues*, 4> turnedIn(const Snapshot& snapshot)
 {
@@ -205,18 +219,14 @@ std::vector<std::uint32_t> nearestFirst(std::span<const SphereInstance> spheres,
     // The eye is a point, or without perspective a direction.
     const glm::vec3 eye(framing.eye);
     const float eyeDistance = glm::length(eye);
-    std::vector<Keyed> order(spheres.size());
-    forAll(order.size(), kSpheresPerTask,
-           [&](std::size_t i)
-           {
-               const glm::vec3 centre(spheres[i].x, spheres[i].y, spheres[i].z);
-               const float distance = framing.orthographic
-                                          ? -glm::dot(centre, eye)
-                                          : glm::length(centre - eye) - eyeDistance;
-               order[i] = Keyed{sortKey(distance)} << kPlaceBits | i;
-           });
-    tbb::parallel_sort(order.begin(), order.end()); // equal keys as they came
-    return {order.begin(), order.end()};            // without the keys
+    const auto keyOf = [&](std::size_t i)
+    {
+        const glm::vec3 centre = centreOf(spheres[i]);
+        return sortKey(framing.orthographic ? -glm::dot(centre, eye)
+                                            : glm::length(centre - eye) - eyeDistance);
+    };
+    const std::vector<std::uint64_t> keys = sortedKeys(spheres.size(), keyOf);
+    return {keys.begin(), keys.end()}; // without the keys
 }
 
 void SphereDrawList::reorder(std::vector<std::uint32_t> order)
@@ -267,23 +277,17 @@ namespace
 constexpr double kInCell = 48;
 constexpr std::uint32_t kMostInCell = 96;
 
-constexpr int kIndexBits = 32;
 constexpr int kAxisBits = 10;
 
 /// The bits of a number of ten, two apart.
-std::uint64_t spread(std::uint32_t value)
+std::uint32_t spread(std::uint32_t value)
 {
-    std::uint64_t bits = 0;
+    std::uint32_t bits = 0;
     for (int k = 0; k < kAxisBits; ++k)
     {
-        bits |= static_cast<std::uint64_t>(value >> k & 1U) << (3 * k);
+        bits |= (value >> k & 1U) << (3 * k);
     }
     return bits;
-}
-
-glm::vec3 centreOf(const SphereInstance& sphere)
-{
-    return {sphere.x, sphere.y, sphere.z};
 }
 
 struct Box
@@ -314,27 +318,6 @@ SphereInstance around(std::span<const SphereInstance> spheres)
     return {middle.x, middle.y, middle.z, 1.0001F * reach, 0};
 }
 
-/// Above each place the number of its cell along a curve that keeps neighbours together.
-std::vector<std::uint64_t> keyed(std::span<const SphereInstance> spheres)
-{
-    const auto [low, high] = boxOfCentres(spheres);
-    const glm::dvec3 size = glm::max(glm::dvec3(high - low), 1e-6);
-    const double cells = static_cast<double>(spheres.size()) / kInCell;
-    constexpr float kLast = (1 << kAxisBits) - 1;
-    const auto perLength = static_cast<float>(std::cbrt(cells / (size.x * size.y * size.z)));
-    std::vector<std::uint64_t> keys(spheres.size());
-    forAll(spheres.size(), kSpheresPerTask,
-           [&, low = low](std::size_t i)
-           {
-               const glm::vec3 way = centreOf(spheres[i]) - low;
-               const glm::uvec3 place(glm::clamp(perLength * way, 0.0F, kLast));
-               const std::uint64_t cell =
-                   spread(place.x) | spread(place.y) << 1 | spread(place.z) << 2;
-               keys[i] = cell << kIndexBits | i;
-           });
-    return keys;
-}
-
 } // namespace
 
 CellOrder orderByCells(std::span<const SphereInstance> spheres)
@@ -344,14 +327,24 @@ CellOrder orderByCells(std::span<const SphereInstance> spheres)
     {
         return result;
     }
-    std::vector<std::uint64_t> keys = keyed(spheres);
-    tbb::parallel_sort(keys.begin(), keys.end());
+    const auto [low, high] = boxOfCentres(spheres);
+    const glm::dvec3 size = glm::max(glm::dvec3(high - low), 1e-6);
+    const double wanted = static_cast<double>(spheres.size()) / kInCell;
+    constexpr float kLast = (1 << kAxisBits) - 1;
+    const auto perLength = static_cast<float>(std::cbrt(wanted / (size.x * size.y * size.z)));
+    // By the number of their cell along a curve that keeps neighbours together.
+    const auto cellOf = [&, low = low](std::size_t i)
+    {
+        const glm::uvec3 place(glm::clamp(perLength * (centreOf(spheres[i]) - low), 0.0F, kLast));
+        return spread(place.x) | spread(place.y) << 1 | spread(place.z) << 2;
+    };
+    const std::vector<std::uint64_t> keys = sortedKeys(spheres.size(), cellOf);
     const auto count = static_cast<std::uint32_t>(keys.size());
     for (std::uint32_t first = 0; first < count;)
     {
         std::uint32_t end = first + 1;
         while (end < count && end - first < kMostInCell &&
-               keys[end] >> kIndexBits == keys[first] >> kIndexBits)
+               keys[end] >> kPlaceBits == keys[first] >> kPlaceBits)
         {
             ++end;
         }

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -25,7 +24,7 @@ namespace
 constexpr std::size_t kMostInList = 16;
 constexpr std::size_t kPartInList = 128;
 
-constexpr float kMostAlong = 1000; ///< cells along an axis
+constexpr double kMostAlong = 1000; ///< cells along an axis
 
 glm::vec4 ballOf(const SphereInstance& sphere)
 {
@@ -46,71 +45,39 @@ void OccluderGrid::add(const SphereInstance& sphere)
 {
     spheres_.push_back(ballOf(sphere));
     largest_ = std::max(largest_, sphere.radius);
-    const std::size_t inList = spheres_.size() - inCells_.size();
-    if (inList > kMostInList + inCells_.size() / kPartInList)
+    const std::size_t inCells = cells_.values().size();
+    if (spheres_.size() - inCells > kMostInList + inCells / kPartInList)
     {
         build();
     }
 }
 
-glm::ivec3 OccluderGrid::placeOf(const glm::vec3& point) const
-{
-    const glm::vec3 place = glm::floor((point - corner_) / cell_);
-    return glm::ivec3(glm::clamp(place, glm::vec3(0), glm::vec3(cells_ - 1)));
-}
-
-std::size_t OccluderGrid::rowOf(int y, int z) const
-{
-    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(cells_.y) +
-            static_cast<std::size_t>(y)) *
-           static_cast<std::size_t>(cells_.x);
-}
-
-std::size_t OccluderGrid::cellOf(std::size_t sphere) const
-{
-    const glm::ivec3 place = placeOf(glm::vec3(spheres_[sphere]));
-    return rowOf(place.y, place.z) + static_cast<std::size_t>(place.x);
-}
-
 void OccluderGrid::build()
 {
-    glm::vec3 low(std::numeric_limits<float>::infinity());
-    glm::vec3 high = -low;
+    Eigen::AlignedBox3d box;
     largest_ = 0;
     for (const glm::vec4& sphere : spheres_)
     {
-        low = glm::min(low, glm::vec3(sphere));
-        high = glm::max(high, glm::vec3(sphere));
+        box.extend(asEigen(glm::vec3(sphere)));
         largest_ = std::max(largest_, sphere.w);
     }
-    inCells_.resize(spheres_.size());
     if (spheres_.empty())
     {
-        cells_ = glm::ivec3(1);
-        begins_.assign(2, 0);
-        return;
+        box.extend(Eigen::Vector3d::Zero());
     }
     // Not many more cells than spheres.
-    const glm::vec3 edges = high - low;
-    const auto count = static_cast<float>(spheres_.size());
-    corner_ = low;
-    cell_ = std::max({2 * largest_, std::cbrt(edges.x * edges.y * edges.z / count),
-                      std::max({edges.x, edges.y, edges.z}) / kMostAlong, 1e-6F});
-    cells_ = glm::ivec3(glm::floor(edges / cell_)) + 1;
-    begins_.assign(rowOf(0, cells_.z) + 2, 0);
-    for (std::size_t i = 0; i < spheres_.size(); ++i)
-    {
-        ++begins_[cellOf(i) + 2];
-    }
-    for (std::size_t cell = 2; cell < begins_.size(); ++cell)
-    {
-        begins_[cell] += begins_[cell - 1];
-    }
-    // What is counted one further on moves to the end of each cell, which is where the next begins.
-    for (std::uint32_t i = 0; i < spheres_.size(); ++i)
-    {
-        inCells_[begins_[cellOf(i) + 1]++] = i;
-    }
+    const double spheres = std::max(1.0, static_cast<double>(spheres_.size()));
+    const double cell = std::max({2.0 * largest_, std::cbrt(box.volume() / spheres),
+                                  box.sizes().maxCoeff() / kMostAlong, 1e-6});
+    frame_ = GridFrame::cover(box, cell, 0);
+    cells_ = Buckets<std::uint32_t>(frame_.size(),
+                                    [&](auto enter)
+                                    {
+                                        for (std::uint32_t i = 0; i < spheres_.size(); ++i)
+                                        {
+                                            enter(frame_.index(asEigen(glm::vec3(spheres_[i]))), i);
+                                        }
+                                    });
 }
 
 std::size_t OccluderGrid::indexOf(const SphereInstance& sphere) const

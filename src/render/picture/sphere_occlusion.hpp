@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/buckets.hpp"
+#include "geometry/grid_frame.hpp"
 #include "render/framing/framing.hpp"
 #include "render/picture/sphere_instance.hpp"
 
-#include <glm/ext/vector_int3.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -40,54 +41,49 @@ public:
     void eachIn(const glm::vec3& lowest, const glm::vec3& highest, MayHold mayHold,
                 Visit visit) const
     {
-        const glm::ivec3 low = placeOf(lowest);
-        const glm::ivec3 high = placeOf(highest);
-        const float halfDiagonal = 0.8661F * cell_;
-        for (int z = low.z; z <= high.z; ++z)
+        const auto [left, bottom, back] = frame_.coordinates(asEigen(lowest));
+        const auto [right, top, front] = frame_.coordinates(asEigen(highest));
+        const float halfDiagonal = 0.8661F * static_cast<float>(frame_.cell);
+        for (int z = back; z <= front; ++z)
         {
-            for (int y = low.y; y <= high.y; ++y)
+            for (int y = bottom; y <= top; ++y)
             {
-                const auto mayHoldAt = [&](int x)
+                const auto mayHoldAt = [&, y = y, z = z](int x)
                 {
-                    const glm::vec3 middle = corner_ + (glm::vec3(x, y, z) + 0.5F) * cell_;
-                    return mayHold(middle, halfDiagonal);
+                    const Eigen::Vector3f middle = frame_.centre(x, y, z).cast<float>();
+                    return mayHold(glm::vec3(middle.x(), middle.y(), middle.z()), halfDiagonal);
                 };
-                int first = low.x;
-                int last = high.x;
+                int first = left;
+                int last = right;
                 for (; first <= last && !mayHoldAt(first); ++first)
                 {
                 }
                 for (; last > first && !mayHoldAt(last); --last)
                 {
                 }
-                const std::size_t row = rowOf(y, z);
-                for (std::uint32_t k = begins_[row + static_cast<std::size_t>(first)];
-                     first <= last && k < begins_[row + static_cast<std::size_t>(last) + 1]; ++k)
+                for (int x = first; x <= last; ++x)
                 {
-                    visit(inCells_[k]);
+                    for (const std::uint32_t sphere : cells_[frame_.index(x, y, z)])
+                    {
+                        visit(sphere);
+                    }
                 }
             }
         }
-        for (std::size_t i = inCells_.size(); i < spheres_.size(); ++i)
+        for (std::size_t i = cells_.values().size(); i < spheres_.size(); ++i)
         {
             visit(static_cast<std::uint32_t>(i));
         }
     }
 
 private:
-    /// The cell of a point, or the one nearest to it. [cells]
-    [[nodiscard]] glm::ivec3 placeOf(const glm::vec3& point) const;
-    [[nodiscard]] std::size_t rowOf(int y, int z) const;
-    [[nodiscard]] std::size_t cellOf(std::size_t sphere) const;
+    [[nodiscard]] static Eigen::Vector3d asEigen(const glm::vec3& p) { return {p.x, p.y, p.z}; }
     void build();
 
     float largest_ = 0;
-    glm::vec3 corner_{0};
-    float cell_ = 1;                          ///< edge of the cells
-    glm::ivec3 cells_{1};                     ///< along each axis
-    std::vector<glm::vec4> spheres_;          ///< centre, radius
-    std::vector<std::uint32_t> begins_{0, 0}; ///< [cells + 1] in inCells_
-    std::vector<std::uint32_t> inCells_;      ///< indices of spheres by cells
+    std::vector<glm::vec4> spheres_; ///< centre, radius
+    GridFrame frame_;
+    Buckets<std::uint32_t> cells_{1, [](auto) {}}; ///< indices of spheres
 };
 
 /// What was asked for last of many spheres, of which most are hidden and never asked for.

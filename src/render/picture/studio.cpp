@@ -100,11 +100,10 @@ struct GroundFrame
 {
     glm::vec3 up, across, along;
 
-    explicit GroundFrame(const glm::vec3& upwards) : up(upwards)
+    explicit GroundFrame(const glm::vec3& upwards)
+        : up(upwards), across(horizontalDirection({up.x, up.y, up.z}, 90)),
+          along(horizontalDirection({up.x, up.y, up.z}, 0))
     {
-        const glm::vec3 side = std::abs(up.x) < 0.9F ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-        across = glm::normalize(side - glm::dot(side, up) * up);
-        along = glm::cross(across, up);
     }
     [[nodiscard]] glm::vec2 flat(const glm::vec3& p) const
     {

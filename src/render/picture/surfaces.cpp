@@ -72,7 +72,7 @@ void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPict
         image->width = surfaces.width;
         image->height = surfaces.height;
         image->channels = 3;
-        image->pixels.resize(3 * count);
+        image->pixels.resize(image == &pictures.identity && !pictures.withIdentity ? 0 : 3 * count);
     }
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -92,8 +92,11 @@ void makePassPictures(const Surfaces& surfaces, const Framing& framing, PassPict
         for (std::size_t c = 0; c < 3; ++c)
         {
             pictures.normal.pixels[3 * i + c] = seen ? surfaces.normal[i][c] : std::uint8_t{128};
-            pictures.identity.pixels[3 * i + c] =
-                static_cast<std::uint8_t>(surfaces.identity[i] >> (8 * c));
+            if (pictures.withIdentity)
+            {
+                pictures.identity.pixels[3 * i + c] =
+                    static_cast<std::uint8_t>(surfaces.identity[i] >> (8 * c));
+            }
         }
     }
 }

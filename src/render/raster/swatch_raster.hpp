@@ -23,43 +23,27 @@
 namespace frostfill
 {
 
-/// The legend's swatches, for the programs that draw the scene. They are seen face on and without
-/// perspective. [pixel], y upwards from the lower edge of the picture
-struct SwatchShapes
-{
-    std::vector<SphereInstance> spheres;
-    ShadedMesh polygons;                                ///< a square each, as two triangles
-    std::vector<std::array<std::uint8_t, 3>> strengths; ///< [#T] of their edges, but no diagonals
-    std::vector<PolygonState> states;                   ///< [#T]
-};
-
-/// `height` is that of the picture [pixel].
-[[nodiscard]] SwatchShapes swatchShapes(const Legend& legend, const SphereColours& colours,
-                                        int height);
-
-/// From pixels, y upwards, to clip space. Swatches lie at the very front of the depth range.
-[[nodiscard]] glm::mat4 pixelProjection(const PictureSize& size);
-
-/// Draws the legend's swatches, which lie in front of everything.
+/// Draws the legend's swatches, which lie in front of everything. They are seen face on and without
+/// perspective. Lengths are in pixels, y upwards from the lower edge of the picture.
 class SwatchRaster
 {
 public:
-    /// `variant` is that of the scene.
-    SwatchRaster(const Viewpoint& viewpoint, const ShaderVariant& variant, int samples);
+    explicit SwatchRaster(const Viewpoint& viewpoint);
 
-    /// Around all of them, in the picture.
+    /// Around all of them, in the picture: all that draw() touches.
     [[nodiscard]] const PixelRectangle& pixels() const { return pixels_; }
-    void draw(const TilePart& part, SampleTile& tile);
     /// Draws into a picture in which they do not lie yet.
     void draw(Image& image);
 
 private:
     int samples_;
     std::unique_ptr<SphereRaster> raster_;
-    SwatchShapes shapes_;
-    std::vector<SphereBounds> placed_; ///< of the spheres
+    std::vector<SphereInstance> spheres_;
+    std::vector<PixelRectangle> placed_;                 ///< [spheres]
+    ShadedMesh squares_;                                 ///< as two triangles each
+    std::vector<std::array<std::uint8_t, 3>> strengths_; ///< [#T] of their edges, but no diagonals
     std::unique_ptr<ShellRaster> polygons_;
-    std::vector<std::uint32_t> triangles_; ///< of the polygons
+    std::vector<std::uint32_t> triangles_; ///< of the squares
     PixelRectangle pixels_;
 };
 

@@ -11,6 +11,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -25,8 +26,7 @@ class GroundRaster
 {
 public:
     /// `ground` has a shadow, and must stay.
-    GroundRaster(const GroundShadow& ground, const glm::mat4& view, const PixelGrid& grid,
-                 const Colour& background);
+    GroundRaster(const GroundShadow& ground, const Viewpoint& viewpoint);
 
     /// Draws a whole tile. Returns whether any shadow is seen in it.
     bool draw(const TilePart& whole, TileBackground& pixels) const;
@@ -43,13 +43,15 @@ private:
     glm::vec3 corner_, normal_, perAcross_, perAlong_;
 };
 
-GroundRaster::GroundRaster(const GroundShadow& ground, const glm::mat4& view, const PixelGrid& grid,
-                           const Colour& background)
-    : ground_(ground), grid_(grid), background_(toVector(background))
+GroundRaster::GroundRaster(const GroundShadow& ground, const Viewpoint& viewpoint)
+    : ground_(ground),
+      grid_(pixelGrid(viewpoint.uniforms().projection, viewpoint.framing().orthographic,
+                      viewpoint.settings().size)),
+      background_(toVector(viewpoint.settings().style.palette.background))
 {
     const auto place = [&](int index)
     {
-        return glm::vec3(view *
+        return glm::vec3(viewpoint.uniforms().view *
                          glm::vec4(glm::vec3(ground.places[static_cast<std::size_t>(index)]), 1));
     };
     corner_ = place(0);
@@ -122,45 +124,35 @@ bool GroundRaster::draw(const TilePart& whole, TileBackground& pixels) const
     return seen;
 }
 
+/// Tiles whose samples are kept from picture to picture, of 32 KiB each: those of a picture of
+/// 1920x1080. Fewer: others are drawn again wherever something moves over them.
+constexpr int kMostKept = 2048;
+
 } // namespace
 
-TileLayer::TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
-                     std::optional<Studio> studio, const std::optional<CutPlanes>& cut)
-    : grid_(grid), size_(settings.size), background_(settings.style.palette.background),
-      studio_(std::move(studio)), repainted_(grid.count())
+TileLayer::TileLayer(const TileGrid& grid, const Viewpoint& viewpoint, int samples,
+                     SphereOcclusion* occlusion)
+    : grid_(grid), viewpoint_(viewpoint), sphereOcclusion_(occlusion), repainted_(grid.count())
 {
     tiles_.reserve(grid_.count());
     for (std::size_t i = 0; i < grid_.count(); ++i)
     {
-        tiles_.emplace_back(background_, samples);
-    }
-    if (studio_ || settings.style.ambientOcclusion)
-    {
-        sphereOcclusion_.emplace(lampOf(studio_), cut);
+        tiles_.emplace_back(viewpoint.settings().style.palette.background, samples);
     }
 }
 
-void TileLayer::light(const Framing& framing, SphereUniforms& uniforms) const
-{
-    if (studio_)
-    {
-        studio_->light(framing, uniforms);
-    }
-}
-
-void TileLayer::lookFrom(const TileView& view, const Framing& framing,
-                         const SphereUniforms& uniforms)
+void TileLayer::lookFrom(const TileView& view)
 {
     view_ = &view;
-    if (!studio_)
+    const std::optional<Studio>& studio = viewpoint_.studio();
+    if (!studio)
     {
         return;
     }
-    const PixelGrid pixelsSeen = pixelGrid(uniforms.projection, framing.orthographic, size_);
     std::optional<GroundRaster> ground;
-    if (studio_->showsGround(framing))
+    if (studio->showsGround(viewpoint_.framing()))
     {
-        ground.emplace(*studio_->ground, uniforms.view, pixelsSeen, background_);
+        ground.emplace(*studio->ground, viewpoint_);
     }
     tbb::parallel_for(std::size_t{0}, tiles_.size(),
                       [&](std::size_t tile)
@@ -171,22 +163,20 @@ void TileLayer::lookFrom(const TileView& view, const Framing& framing,
                       });
 }
 
-void TileLayer::follow(std::span<const SphereInstance> resting, std::span<const SphereCell> cells,
-                       std::size_t first)
+void TileLayer::follow(std::span<const SphereInstance> resting, std::span<const SphereCell> cells)
 {
     resting_ = resting;
     cells_ = cells;
-    if (sphereOcclusion_)
-    {
-        sphereOcclusion_->follow(resting, first);
-    }
 }
 
 RestingSpheres TileLayer::restingSpheres() const
 {
-    return {
-        resting_, placed_,      sphereOcclusion_ ? sphereOcclusion_->lights() : LightsOfSpheres(),
-        cells_,   placedCells_, view_};
+    return {resting_,
+            placed_,
+            sphereOcclusion_ != nullptr ? sphereOcclusion_->lights() : LightsOfSpheres(),
+            cells_,
+            placedCells_,
+            view_};
 }
 
 void TileLayer::listCells()
@@ -227,7 +217,7 @@ void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
         grid_.each(placed_[i].pixels,
                    [&](std::size_t tile) { tiles_[tile].list(sphere, placed_[i].nearest); });
     }
-    if (sphereOcclusion_)
+    if (sphereOcclusion_ != nullptr)
     {
         if (cull || !cells_.empty())
         {
@@ -247,9 +237,17 @@ void TileLayer::rebuild(bool cull, std::span<PixelRectangle> dirty)
 
 void TileLayer::repaintTiles(const RestingSpheres& resting, bool cull)
 {
+    std::atomic<int> kept = 0;
     tbb::parallel_for(std::size_t{0}, tiles_.size(),
                       [&](std::size_t tile)
-                      { tiles_[tile].repaint(view_->raster, resting, grid_.part(tile), cull); });
+                      {
+                          RestingTile& own = tiles_[tile];
+                          own.repaint(view_->raster, resting, grid_.part(tile), cull);
+                          if (own.samples() != nullptr && ++kept > kMostKept)
+                          {
+                              own.forgetSamples();
+                          }
+                      });
 }
 
 void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<PixelRectangle> dirty)
@@ -277,7 +275,7 @@ void TileLayer::repaint(std::span<const std::size_t> recoloured, std::span<Pixel
     {
         note(static_cast<std::uint32_t>(sphere));
     }
-    if (sphereOcclusion_)
+    if (sphereOcclusion_ != nullptr)
     {
         const auto isSeenAnywhere = [&](std::uint32_t sphere)
         {
@@ -305,7 +303,7 @@ void TileLayer::add(std::size_t first, std::span<PixelRectangle> dirty)
     {
         placed_.push_back(view_->place(resting_[i]));
         const SphereBounds& placed = placed_.back();
-        if (sphereOcclusion_ && !isHidden(placed))
+        if (sphereOcclusion_ != nullptr && !isHidden(placed))
         {
             sphereOcclusion_->ofResting(i);
         }
@@ -326,7 +324,7 @@ void TileLayer::add(std::size_t first, std::span<PixelRectangle> dirty)
 std::optional<SphereLight> TileLayer::lightOn(const SphereInstance& sphere,
                                               const SphereBounds& placed)
 {
-    if (!sphereOcclusion_)
+    if (sphereOcclusion_ == nullptr)
     {
         return {};
     }

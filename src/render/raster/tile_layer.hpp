@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render/framing/framing.hpp"
+#include "render/picture/picture_backend.hpp"
 #include "render/picture/sphere_occlusion.hpp"
-#include "render/picture/studio.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/spheres/resting_tile.hpp"
 #include "render/raster/spheres/sphere_raster.hpp"
@@ -21,18 +20,15 @@ namespace frostfill
 class TileLayer
 {
 public:
-    TileLayer(const TileGrid& grid, const RenderSettings& settings, int samples,
-              std::optional<Studio> studio, const std::optional<CutPlanes>& cut);
+    /// `viewpoint` and `occlusion` have to stay; that is null without ambient occlusion.
+    TileLayer(const TileGrid& grid, const Viewpoint& viewpoint, int samples,
+              SphereOcclusion* occlusion);
 
     /// The view has to stay until the next call, and everything has to be rebuilt.
-    void lookFrom(const TileView& view, const Framing& framing, const SphereUniforms& uniforms);
-    /// Adds the lamp of the studio, as the camera sees it.
-    void light(const Framing& framing, SphereUniforms& uniforms) const;
+    void lookFrom(const TileView& view);
 
-    /// Takes the spheres at rest: those from `first` on came since. They have to stay until the
-    /// next call.
-    void follow(std::span<const SphereInstance> resting, std::span<const SphereCell> cells,
-                std::size_t first);
+    /// Takes the spheres at rest. They have to stay until the next call.
+    void follow(std::span<const SphereInstance> resting, std::span<const SphereCell> cells);
     /// Draws all. With `cull`, what is hidden is left out.
     void rebuild(bool cull, std::span<PixelRectangle> dirty);
     /// Draws these and those whose light arrivals have changed.
@@ -41,6 +37,11 @@ public:
     void add(std::size_t first, std::span<PixelRectangle> dirty);
 
     [[nodiscard]] const RestingTile& operator[](std::size_t tile) const { return tiles_[tile]; }
+    /// Brings a part of a tile to another one.
+    void copyTo(std::size_t tile, const TilePart& part, SampleTile& to) const
+    {
+        tiles_[tile].copyTo(view_->raster, restingSpheres(), part, to);
+    }
     [[nodiscard]] bool hides(const SphereBounds& sphere, std::size_t tile) const
     {
         return tiles_[tile].hides(sphere, grid_.part(tile));
@@ -64,10 +65,8 @@ private:
     [[nodiscard]] bool isHidden(const SphereBounds& sphere) const;
 
     TileGrid grid_;
-    PictureSize size_;
-    Colour background_;
-    std::optional<Studio> studio_;
-    std::optional<SphereOcclusion> sphereOcclusion_; ///< with ambient occlusion
+    const Viewpoint& viewpoint_;
+    SphereOcclusion* sphereOcclusion_;
     const TileView* view_ = nullptr;
     std::span<const SphereInstance> resting_;
     std::span<const SphereCell> cells_;

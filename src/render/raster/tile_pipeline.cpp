@@ -58,10 +58,10 @@ void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView
                }
            });
     const TileGrid grid(size);
-    TileLists lists(grid);
+    TileLists lists(grid.count());
     for (std::uint32_t i = 0; i < sorted.size(); ++i)
     {
-        lists.list(i, placed[i].pixels);
+        grid.list(i, placed[i].pixels, lists);
     }
     const auto nearest =
         static_cast<float>(depthLimits(framing.projection, framing.orthographic).nearest);
@@ -84,20 +84,13 @@ void drawSurfacesInTiles(std::span<const SphereInstance> spheres, const TileView
 } // namespace
 
 TilePipeline::TilePipeline(const TriangleMesh& mesh, const RenderSettings& settings)
-    : PictureBackend(mesh, settings), size_(settings.size), variant_(variantOf(settings, mesh)),
-      strokes_(strokesFor(settings, mesh.triangles.size())),
-      samples_(settings.samples > 1 ? kMaxTileSamples : 1), grid_(size_), triangles_(grid_)
+    : PictureBackend(mesh, settings), strokes_(strokesFor(settings, mesh.triangles.size())),
+      samples_(settings.samples > 1 ? kMaxTileSamples : 1), grid_(settings.size),
+      layer_(grid_, viewpoint(), samples_, sphereOcclusion())
 {
     runningIn_.resize(grid_.count());
     dirty_.resize(grid_.count());
     useShell();
-    std::optional<Studio> studio = studioOf(mesh, viewpoint().settings(), viewpoint().framing());
-    layer_.emplace(grid_, viewpoint().settings(), samples_, std::move(studio),
-                   cutPlanesOf(settings, viewpoint().framing()));
-    if (viewpoint().legend().visible())
-    {
-        swatches_ = std::make_unique<SwatchRaster>(viewpoint(), variant_, samples_);
-    }
     useFraming();
 }
 
@@ -107,10 +100,9 @@ void TilePipeline::useShell()
     {
         return;
     }
-    shaded_ = shell().shaded(framing(), variant_.fadingLines);
-    shell_ = std::make_unique<ShellRaster>(
-        shaded_, variant_, shellPalette(viewpoint().settings().style), strokes_, samples_);
-    shaded_.normals = {}; // it has what it needs of these
+    shell_ = std::make_unique<ShellRaster>(shell().shaded(), viewpoint().variant(),
+                                           shellPalette(viewpoint().settings().style), strokes_,
+                                           samples_);
     if (viewpoint().settings().staticLayer)
     {
         keptShell_ = std::make_unique<KeptShell>(*shell_, grid_.count());
@@ -119,38 +111,34 @@ void TilePipeline::useShell()
 
 void TilePipeline::useFraming()
 {
-    const Framing& framing = viewpoint().framing();
-    const Style& style = viewpoint().settings().style;
-    SphereUniforms uniforms = uniformsOf(framing, viewpoint().settings());
-    layer_->light(framing, uniforms);
-    view_.emplace(TileView{SphereRaster(uniforms, variant_, size_, style,
-                                        strokesFor(viewpoint().settings()).lineWidth, samples_),
-                           SphereProjector(framing, size_)});
-    layer_->lookFrom(*view_, framing, uniforms);
+    const RenderSettings& settings = viewpoint().settings();
+    const SphereUniforms& uniforms = viewpoint().uniforms();
+    view_.emplace(TileView{SphereRaster(uniforms, viewpoint().variant(), settings.size,
+                                        settings.style, strokes_.lineWidth, samples_),
+                           SphereProjector(framing(), settings.size)});
+    layer_.lookFrom(*view_);
     if (shell_)
     {
-        edges_ = edgeStrengths(shaded_, glm::vec3(framing.eye), framing.orthographic);
-        shell_->lookFrom(uniforms, framing.orthographic, size_, edges_);
-        triangles_.clear();
+        shell_->lookFrom(uniforms, framing().orthographic, settings.size, shell().edges());
+        triangles_.assign(grid_.count(), {});
         for (const std::uint32_t triangle : shell_->inDrawingOrder())
         {
-            triangles_.list(triangle, shell_->bounds(triangle));
+            grid_.list(triangle, shell_->bounds(triangle), triangles_);
         }
         if (keptShell_)
         {
             keptShell_->forget();
         }
     }
-    stale_ = true;
 }
 
 void TilePipeline::drawSurfaces(const Snapshot& snapshot, const PictureSize& size,
                                 Surfaces& surfaces)
 {
     follow(snapshot);
-    const SphereUniforms uniforms = uniformsOf(framing(), viewpoint().settings());
-    const TileView view{SphereRaster::ofSurfaces(uniforms, variant_, size),
-                        SphereProjector(framing(), size)};
+    const TileView view{
+        SphereRaster::ofSurfaces(viewpoint().uniforms(), viewpoint().variant(), size),
+        SphereProjector(framing(), size)};
     drawSurfacesInTiles(placeSpheres(snapshot, framing()), view, framing(), size, surfaces);
 }
 
@@ -167,31 +155,15 @@ void TilePipeline::renew(std::size_t tile, const PixelRectangle& pixels)
 
 const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, Image& image)
 {
-    follow(snapshot);
-    const SphereDrawList::Changes& changes =
-        drawList_.update(snapshot, viewpoint().framing(), viewpoint().colours());
-    const bool startAgain = stale_ || changes.everything;
-    std::size_t first = changes.firstArrival; // of what stands where it did not
-    if (startAgain)
-    {
-        const bool inCells = drawList_.resting().size() >= kCellsFrom;
-        if (!inCells || drawList_.orderByCells())
-        {
-            first = 0;
-        }
-        if (!inCells && drawList_.resting().size() >= kSortFrom)
-        {
-            drawList_.sortFrontToBack(viewpoint().framing());
-        }
-    }
+    const RenderSettings& settings = viewpoint().settings();
+    const Changes changes = take(snapshot, true);
     if (shell_)
     {
-        const auto changed = followShell(snapshot);
-        if (!changed.empty())
+        if (!changes.triangles.empty())
         {
             shell_->setStates(shell().states());
         }
-        for (const std::uint32_t triangle : changed)
+        for (const std::uint32_t triangle : changes.triangles)
         {
             const PixelRectangle pixels = shell_->bounds(triangle);
             grid_.each(pixels,
@@ -205,25 +177,24 @@ const std::vector<PixelRectangle>& TilePipeline::draw(const Snapshot& snapshot, 
                        });
         }
     }
-    stale_ = false;
-    layer_->follow(drawList_.resting(), drawList_.cells(), first);
-    if (startAgain || !viewpoint().settings().staticLayer)
+    layer_.follow(spheres().resting(), spheres().cells());
+    if (changes.startAgain || !settings.staticLayer)
     {
-        layer_->rebuild(viewpoint().settings().staticLayer, dirty_);
+        layer_.rebuild(settings.staticLayer, dirty_);
     }
     else
     {
-        layer_->repaint(changes.recoloured, dirty_);
-        layer_->add(changes.firstArrival, dirty_);
+        layer_.repaint(changes.spheres.recoloured, dirty_);
+        layer_.add(changes.spheres.firstArrival, dirty_);
     }
     placeRunning();
 
-    image.width = size_.width;
-    image.height = size_.height;
-    image.channels = viewpoint().settings().style.palette.background[3] < 255 ? 4 : 3;
+    image.width = settings.size.width;
+    image.height = settings.size.height;
+    image.channels = settings.style.palette.background[3] < 255 ? 4 : 3;
     image.pixels.resize(static_cast<std::size_t>(image.width * image.height) *
                         static_cast<std::size_t>(image.channels));
-    composeDirty(startAgain, image);
+    composeDirty(changes.startAgain, image);
     return parts_;
 }
 
@@ -246,16 +217,16 @@ void TilePipeline::placeRunning()
     }
     running_.clear();
     runningLights_.clear();
-    for (const SphereInstance& sphere : drawList_.running())
+    for (const SphereInstance& sphere : spheres().running())
     {
         const auto index = static_cast<std::uint32_t>(running_.size());
         const SphereBounds now = view_->place(sphere);
         running_.push_back(now);
-        runningLights_.push_back(layer_->lightOn(sphere, now));
+        runningLights_.push_back(layer_.lightOn(sphere, now));
         grid_.each(now.pixels,
                    [&](std::size_t tile)
                    {
-                       if (!layer_->hides(now, tile))
+                       if (!layer_.hides(now, tile))
                        {
                            runningIn_[tile].push_back(index);
                            renew(tile, now.pixels);
@@ -295,25 +266,21 @@ PixelRectangle TilePipeline::compose(std::size_t tile, SampleTile& work, Image& 
 {
     TilePart dirty = grid_.part(tile);
     dirty.pixels = std::exchange(dirty_[tile], {});
-    const RestingTile& resting = (*layer_)[tile];
-    resting.copyTo(work, dirty.pixels);
+    const RestingTile& resting = layer_[tile];
+    layer_.copyTo(tile, dirty, work);
     for (const std::uint32_t sphere : runningIn_[tile])
     {
         const auto& light = runningLights_[sphere];
-        view_->raster.draw(drawList_.running()[sphere], running_[sphere].pixels, dirty, work,
+        view_->raster.draw(spheres().running()[sphere], running_[sphere].pixels, dirty, work,
                            light ? &*light : nullptr);
     }
     if (shell_)
     {
-        const auto triangles = triangles_[tile];
+        const auto& triangles = triangles_[tile];
         keptShell_ ? keptShell_->draw(tile, triangles, dirty, work, resting)
                    : shell_->draw(triangles, dirty, work);
     }
     const PixelRectangle inPicture = grid_.inPicture(dirty);
-    if (swatches_ && swatches_->pixels().overlaps(inPicture))
-    {
-        swatches_->draw(dirty, work);
-    }
     if (!inPicture.empty())
     {
         resolve(work, dirty, samples_, image);

@@ -7,7 +7,6 @@
 #include "render/picture/sphere_draw_list.hpp"
 #include "render/raster/lanes/sample_tile.hpp"
 #include "render/raster/shell/shell_raster.hpp"
-#include "render/raster/swatch_raster.hpp"
 #include "render/raster/tile_layer.hpp"
 
 #include <tbb/enumerable_thread_specific.h>
@@ -47,26 +46,19 @@ private:
     /// Returns which part of the picture it has drawn.
     PixelRectangle compose(std::size_t tile, SampleTile& work, Image& image);
 
-    PictureSize size_;
-    ShaderVariant variant_;
     MeshStrokes strokes_;
     int samples_;
     TileGrid grid_;
-    ShadedMesh shaded_;
-    std::vector<std::array<std::uint8_t, 3>> edges_; ///< [#T] of the shell, for this camera
     std::unique_ptr<ShellRaster> shell_;
     std::unique_ptr<KeptShell> keptShell_; ///< unless everything is drawn each time
     TileLists triangles_;                  ///< of the shell, for this camera
     std::optional<TileView> view_;
-    std::optional<TileLayer> layer_;
-    std::unique_ptr<SwatchRaster> swatches_;
-    SphereDrawList drawList_;
+    TileLayer layer_;
     std::vector<SphereBounds> running_;                     ///< [running]
     std::vector<std::optional<SphereLight>> runningLights_; ///< [running] none but in the studio
-    std::vector<std::vector<std::uint32_t>> runningIn_;     ///< [tiles] those that may be seen
+    TileLists runningIn_;                                   ///< [tiles] those that may be seen
     std::vector<PixelRectangle> dirty_;                     ///< [tiles] in the tile
     tbb::enumerable_thread_specific<SampleTile> work_;
-    bool stale_ = true; ///< nothing of the picture before can be kept
     std::vector<PixelRectangle> parts_;
 };
 

@@ -38,7 +38,7 @@ protected:
 
 TEST_F(DenseShell, IsWithinOneAndAHalfPixelsOfTheMeshFromNearAndFar)
 {
-    DrawnShell shell(mesh_, settings_, framing());
+    DrawnShell shell(mesh_, settings_, framing(), true);
     EXPECT_LT(shell.mesh().triangles.size(), mesh_.triangles.size() / 5);
     for (const double zoom : {1.0, 3.0, 0.5})
     {
@@ -55,7 +55,7 @@ TEST_F(DenseShell, IsWithinOneAndAHalfPixelsOfTheMeshFromNearAndFar)
 
 TEST_F(DenseShell, DependsOnTheCameraAndNotOnThoseBefore)
 {
-    DrawnShell shell(mesh_, settings_, framing());
+    DrawnShell shell(mesh_, settings_, framing(), true);
     const auto before = shell.mesh().triangles;
     EXPECT_FALSE(shell.lookFrom(framing(1.01)));
     EXPECT_TRUE(shell.lookFrom(framing(4)));
@@ -66,7 +66,7 @@ TEST_F(DenseShell, DependsOnTheCameraAndNotOnThoseBefore)
 
 TEST_F(DenseShell, HasTheStatesOfTheTrianglesAround)
 {
-    DrawnShell shell(mesh_, settings_, framing());
+    DrawnShell shell(mesh_, settings_, framing(), true);
     std::vector<PolygonState> states;
     const auto isLow = [](const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle)
     {
@@ -96,15 +96,16 @@ TEST_F(DenseShell, HasTheStatesOfTheTrianglesAround)
 TEST_F(DenseShell, IsTheMeshWhereItsEdgesAreShownOrTrianglesAreFew)
 {
     settings_.style.edges = EdgeLines::on;
-    EXPECT_EQ(DrawnShell(mesh_, settings_, framing()).mesh().triangles, mesh_.triangles);
+    EXPECT_EQ(DrawnShell(mesh_, settings_, framing(), true).mesh().triangles, mesh_.triangles);
     settings_.style.edges = EdgeLines::automatic;
     mesh_ = torusMesh(1, 0.4, 100, 100);
-    EXPECT_EQ(DrawnShell(mesh_, settings_, framing()).mesh().triangles, mesh_.triangles);
+    EXPECT_EQ(DrawnShell(mesh_, settings_, framing(), true).mesh().triangles, mesh_.triangles);
 }
 
 TEST_F(DenseShell, FacesWhereTheTrueSurfaceDoesInItsSliversToo)
 {
-    const ShadedMesh shaded = DrawnShell(mesh_, settings_, framing()).shaded(framing(), true);
+    const DrawnShell shell(mesh_, settings_, framing(), true);
+    const ShadedMesh& shaded = shell.shaded();
     for (std::size_t t = 0; t < shaded.triangles.size(); ++t)
     {
         const auto [a, b, c] = shaded.corners(t);

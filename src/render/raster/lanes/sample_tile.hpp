@@ -108,6 +108,9 @@ struct TilePart
 /// or four: then colours are divided by alpha. The picture's top row is first.
 void resolve(const SampleTile& tile, const TilePart& part, int samples, Image& image);
 
+/// For each tile of a picture the things that may be visible in it.
+using TileLists = std::vector<std::vector<std::uint32_t>>;
+
 /// The tiles of a picture, row by row from the lower left corner. Those at the upper and right edge
 /// reach beyond it.
 class TileGrid
@@ -142,6 +145,12 @@ public:
         }
     }
 
+    /// Appends a thing to the lists of the tiles [count()] that its bounds touch.
+    void list(std::uint32_t thing, const PixelRectangle& bounds, TileLists& lists) const
+    {
+        each(bounds, [&](std::size_t tile) { lists[tile].push_back(thing); });
+    }
+
     /// All of a tile.
     [[nodiscard]] TilePart part(std::size_t tile) const
     {
@@ -166,35 +175,6 @@ private:
     PixelRectangle picture_;
     int columns_;
     int rows_;
-};
-
-/// Lists, for each tile of a picture, the things that may be visible in it.
-class TileLists
-{
-public:
-    explicit TileLists(const TileGrid& grid) : grid_(grid), things_(grid.count()) {}
-
-    void clear()
-    {
-        for (std::vector<std::uint32_t>& things : things_)
-        {
-            things.clear();
-        }
-    }
-    /// Things keep the order in which they are listed. `bounds` are around it in the picture.
-    void list(std::uint32_t thing, const PixelRectangle& bounds)
-    {
-        grid_.each(bounds, [&](std::size_t tile) { things_[tile].push_back(thing); });
-    }
-
-    [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t tile) const
-    {
-        return things_[tile];
-    }
-
-private:
-    TileGrid grid_;
-    std::vector<std::vector<std::uint32_t>> things_; ///< [tiles]; memory stays
 };
 
 } // namespace frostfill

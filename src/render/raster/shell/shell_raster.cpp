@@ -315,7 +315,7 @@ constexpr std::uint32_t kTrianglesPerTask = 256;
 
 ShellRaster::ShellRaster(const ShadedMesh& mesh, const ShaderVariant& variant,
                          const Palette& palette, const MeshStrokes& strokes, int samples)
-    : mesh_(mesh), variant_(variant), strokes_(strokes), samples_(samples), shape_(mesh),
+    : mesh_(mesh), variant_(variant), strokes_(strokes), samples_(samples),
       states_(mesh.triangles.size(), PolygonState::active), places_(mesh.triangles.size())
 {
     const std::array<Colour, 2> colours = {palette.activePolygon, palette.discardedPolygon};
@@ -350,7 +350,7 @@ void ShellRaster::lookFrom(const SphereUniforms& uniforms, bool orthographic,
     }
     size_ = size;
     edges_ = edgeStrengths;
-    vertices_.resize(shape_.positions.size());
+    vertices_.resize(mesh_.positions.size());
     forAll(vertices_.size(), kTrianglesPerTask, [&](std::size_t v) { placeVertex(v); });
     forAll(places_.size(), kTrianglesPerTask,
            [&](std::size_t t) { places_[t] = placeOf(static_cast<std::uint32_t>(t)); });

@@ -50,18 +50,6 @@ struct ShellPiece
     [[nodiscard]] int row() const { return at / kTileEdge; }
 };
 
-/// The vertices of a mesh, each once for every normal that it has: a camera looks at a vertex of a
-/// smooth surface once and not in every triangle. Vertices follow the order of the triangles, so
-/// that consecutive triangles read neighbouring memory.
-struct ShellVertices
-{
-    explicit ShellVertices(const ShadedMesh& mesh);
-
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;                      ///< [positions]
-    std::vector<std::array<std::uint32_t, 3>> triangles; ///< [#T] indices into positions
-};
-
 /// Draws the shell as mesh.vert and mesh.frag do, a sample at a time. A length in the picture that
 /// is the same over most of a triangle is worked out once for it.
 class ShellRaster
@@ -183,8 +171,7 @@ private:
     glm::mat4 view_{1};
     ShellRows rows_{};
     PictureSize size_;
-    ShellVertices shape_;
-    std::vector<Vertex> vertices_;                       ///< [shape_] for this camera
+    std::vector<Vertex> vertices_;                       ///< of the mesh, for this camera
     std::span<const std::array<std::uint8_t, 3>> edges_; ///< [#T]
     std::vector<PolygonState> states_;                   ///< [#T]
     std::vector<Place> places_;                          ///< [#T] for this camera

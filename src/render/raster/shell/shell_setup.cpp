@@ -104,40 +104,10 @@ struct Slopes
 
 } // namespace
 
-ShellVertices::ShellVertices(const ShadedMesh& mesh) : triangles(mesh.triangles)
-{
-    constexpr std::uint32_t kNone = 0xffffffffU;
-    std::vector<std::uint32_t> first(mesh.positions.size(), kNone); // of those in the same place
-    std::vector<std::uint32_t> next;
-    positions.reserve(mesh.positions.size());
-    normals.reserve(mesh.positions.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-    {
-        for (std::size_t corner = 0; corner < 3; ++corner)
-        {
-            const glm::vec3& normal = mesh.normals[t][corner];
-            const std::uint32_t place = triangles[t][corner];
-            std::uint32_t* vertex = &first[place];
-            while (*vertex != kNone && normals[*vertex] != normal)
-            {
-                vertex = &next[*vertex];
-            }
-            triangles[t][corner] = *vertex;
-            if (*vertex == kNone)
-            {
-                triangles[t][corner] = *vertex = static_cast<std::uint32_t>(positions.size());
-                next.push_back(kNone);
-                positions.push_back(mesh.positions[place]);
-                normals.push_back(normal);
-            }
-        }
-    }
-}
-
 void ShellRaster::placeVertex(std::size_t index)
 {
     const PixelGrid& grid = rows_.grid;
-    const glm::vec3 eye(view_ * glm::vec4(shape_.positions[index], 1));
+    const glm::vec3 eye(view_ * glm::vec4(mesh_.positions[index], 1));
     const double w = grid.orthographic ? 1 : -eye.z;
     Vertex& vertex = vertices_[index];
     vertex.corner = {(eye.x - double{grid.left} * w) / grid.perColumn,
@@ -146,7 +116,7 @@ void ShellRaster::placeVertex(std::size_t index)
     const bool ahead = w > kAhead;
     vertex.pixel = ahead ? glm::dvec2(vertex.corner) / w : glm::dvec2(0);
     vertex.nearest = ahead ? static_cast<float>(vertex.height / w) : kNotAhead;
-    vertex.normal = glm::mat3(view_) * shape_.normals[index];
+    vertex.normal = glm::mat3(view_) * mesh_.normals[index];
     const float length = std::max(glm::length(vertex.normal), 1e-6F);
     const glm::vec3 ray = grid.orthographic ? glm::vec3(0, 0, -1) : glm::normalize(eye);
     vertex.facing = -glm::dot(vertex.normal, ray) / length;
@@ -158,7 +128,7 @@ void ShellRaster::placeVertex(std::size_t index)
 
 ShellRaster::Corners ShellRaster::cornersOf(std::uint32_t triangle) const
 {
-    const auto& [a, b, c] = shape_.triangles[triangle];
+    const auto& [a, b, c] = mesh_.triangles[triangle];
     return {&vertices_[a], &vertices_[b], &vertices_[c]};
 }
 
@@ -276,7 +246,9 @@ void ShellRaster::setStrokes(std::uint32_t triangle, const shading::ShellPaint& 
     setup.crease = 0;
     if (!mesh_.creaseDistances.empty())
     {
-        setup.creaseDistance = mesh_.creaseDistances[triangle];
+        const auto& [a, b, c] = mesh_.triangles[triangle];
+        const std::vector<float>& distances = mesh_.creaseDistances;
+        setup.creaseDistance = {distances[a], distances[b], distances[c]};
         setup.pixelsOfCrease = slopes.pixelsOfValue(setup.creaseDistance);
         setup.crease = paint.ofLine * creaseStrength(all(inLines), all(setup.pixelsOfCrease))[0];
     }

@@ -54,9 +54,6 @@ void RestingTile::start(const PixelRectangle& pixels)
     {
         samples_ = std::make_unique<SampleTile>();
         paintGround(*samples_, {0, 0, kTileEdge, kTileEdge});
-        furthest_.fill(kNothing);
-        furthestOfAll_ = kNothing;
-        touched_ = 0;
         return;
     }
     paintGround(*samples_, pixels);
@@ -144,16 +141,16 @@ void RestingTile::paintCells(const SphereRaster& raster, const RestingSpheres& r
 void RestingTile::repaint(const SphereRaster& raster, const RestingSpheres& resting,
                           const TilePart& whole, bool cull)
 {
+    furthest_.fill(kNothing);
+    furthestOfAll_ = kNothing;
+    touched_ = 0;
+    drawn_ = 0;
     if (empty())
     {
         samples_.reset();
         return;
     }
     start(whole.pixels);
-    furthest_.fill(kNothing);
-    furthestOfAll_ = kNothing;
-    touched_ = 0;
-    drawn_ = 0;
     listed_.swap(spheres_);
     spheres_.clear();
     paintCells(raster, resting, whole, cull);
@@ -173,6 +170,10 @@ void RestingTile::recolour(const SphereRaster& raster, const RestingSpheres& res
     // Shapes stay, so what is hidden now is hidden afterwards too.
     std::erase_if(spheres_,
                   [&](const Listed& listed) { return hides(resting.bounds(listed.index), whole); });
+    if (!samples_)
+    {
+        return;
+    }
     start(pixels);
     TilePart part = whole;
     part.pixels = pixels;
@@ -190,21 +191,30 @@ bool RestingTile::add(const SphereRaster& raster, const RestingSpheres& resting,
     {
         return false;
     }
-    if (!samples_)
+    if (empty())
     {
         start(whole.pixels);
     }
     spheres_.push_back({sphere, placed.nearest});
-    resting.draw(sphere, placed, raster, whole, *samples_);
-    findFurthestAtTimes(whole.within(placed.pixels));
+    if (samples_)
+    {
+        resting.draw(sphere, placed, raster, whole, *samples_);
+        findFurthestAtTimes(whole.within(placed.pixels));
+    }
     return true;
 }
 
-void RestingTile::copyTo(SampleTile& tile, const PixelRectangle& pixels) const
+void RestingTile::copyTo(const SphereRaster& raster, const RestingSpheres& resting,
+                         const TilePart& part, SampleTile& tile) const
 {
+    const PixelRectangle& pixels = part.pixels;
     if (!samples_)
     {
         paintGround(tile, pixels);
+        for (const Listed& listed : spheres_)
+        {
+            resting.draw(listed.index, resting.bounds(listed.index), raster, part, tile);
+        }
         return;
     }
     const auto bytes = static_cast<std::size_t>(pixels.width()) * 4;

@@ -79,6 +79,8 @@ public:
     /// more.
     void repaint(const SphereRaster& raster, const RestingSpheres& resting, const TilePart& whole,
                  bool cull);
+    /// Keeps what is listed and hidden, but no samples: copyTo() draws them from now on.
+    void forgetSamples() { samples_.reset(); }
     /// Draws a part anew in which colours or light have changed. Spheres that others have come to
     /// hide are not listed any more.
     void recolour(const SphereRaster& raster, const RestingSpheres& resting, const TilePart& whole,
@@ -96,7 +98,7 @@ public:
         {
             return true;
         }
-        for (int y = in.bottom / kBlock; samples_ && y <= (in.top - 1) / kBlock; ++y)
+        for (int y = in.bottom / kBlock; y <= (in.top - 1) / kBlock; ++y)
         {
             for (int x = in.left / kBlock; x <= (in.right - 1) / kBlock; ++x)
             {
@@ -107,12 +109,13 @@ public:
                 }
             }
         }
-        return samples_ != nullptr;
+        return true;
     }
     /// What is drawn; null where nothing lies.
     [[nodiscard]] const SampleTile* samples() const { return samples_.get(); }
-    /// Copies a part, or the background where nothing lies.
-    void copyTo(SampleTile& tile, const PixelRectangle& pixels) const;
+    /// Copies a part, or draws it where no samples are kept.
+    void copyTo(const SphereRaster& raster, const RestingSpheres& resting, const TilePart& part,
+                SampleTile& tile) const;
 
 private:
     static constexpr int kBlock = 8; ///< edge [pixel]
@@ -145,7 +148,7 @@ private:
     std::vector<Listed> listed_;       ///< during repaint()
     std::vector<std::uint32_t> cells_; ///< of which spheres are not listed yet
     std::unique_ptr<TileBackground> ground_;
-    std::unique_ptr<SampleTile> samples_;
+    std::unique_ptr<SampleTile> samples_;      ///< null where nothing lies, or nothing is kept
     std::int64_t drawn_ = 0;                   ///< pixels since it was looked for what is hidden
     std::uint64_t touched_ = 0;                ///< blocks with such pixels, a bit each
     std::array<float, kAllBlocks> furthest_{}; ///< of a block's samples, when last looked at

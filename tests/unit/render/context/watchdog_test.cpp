@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/context/watchdog.hpp"
+#include "render/context/context.hpp"
 
 #include <gtest/gtest.h>
 

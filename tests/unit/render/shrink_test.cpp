@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlay/annotated_picture.hpp"
+#include "render/annotated_picture.hpp"
 #include "support/pictures.hpp"
 
 #include <gtest/gtest.h>

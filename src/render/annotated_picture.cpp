@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "render/overlay/annotated_picture.hpp"
+#include "render/annotated_picture.hpp"
 
 #include <algorithm>
 #include <cstring>
 
 namespace frostfill
 {
+
+AnnotatedPicture::AnnotatedPicture(const Viewpoint& viewpoint)
+    : legend_(viewpoint.legend()), supersample_(viewpoint.settings().supersample),
+      isPlain_(supersample_ == 1 && !legend_.visible())
+{
+    if (!legend_.spheres().empty())
+    {
+        swatches_.emplace(viewpoint);
+    }
+}
+
 void AnnotatedPicture::copy(const PixelRectangle& part)
 {
     const auto width = static_cast<std::size_t>(pixels_.width);
@@ -25,16 +36,19 @@ void AnnotatedPicture::mark(const PixelRectangle& part)
     std::fill_n(first, part.height(), std::uint8_t{1});
 }
 
-void AnnotatedPicture::finish(std::span<const PixelRectangle> parts, const Legend& legend,
-                              const Snapshot& snapshot)
+void AnnotatedPicture::finish(std::span<const PixelRectangle> parts, const Snapshot& snapshot)
 {
+    if (supersample_ > 1)
+    {
+        shrink(snapshot);
+        return;
+    }
     changedRows_.assign(static_cast<std::size_t>(pixels_.height), 0);
     for (const PixelRectangle& part : parts)
     {
         mark(part);
     }
-    hasText_ = legend.visible();
-    if (!hasText_)
+    if (isPlain_)
     {
         return;
     }
@@ -44,22 +58,75 @@ void AnnotatedPicture::finish(std::span<const PixelRectangle> parts, const Legen
         written_.clear();
     }
     bare_.assign(parts.begin(), parts.end());
-    write(legend, snapshot);
+    write(snapshot);
 }
 
-void AnnotatedPicture::write(const Legend& legend, const Snapshot& snapshot)
+void AnnotatedPicture::shrink(const Snapshot& snapshot)
 {
-    const std::vector<Legend::Piece> pieces = legend.pieces(snapshot);
-    written_.resize(pieces.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    // Written into the pixels, which get back what lay there: a copy of all takes much memory.
+    const std::vector<Legend::Piece> all = pieces(snapshot);
+    PixelRectangle written;
+    for (const Legend::Piece& piece : all)
+    {
+        written = around(written, bounds(piece));
+    }
+    const auto bytes = static_cast<std::size_t>(written.width() * pixels_.channels);
+    const auto row = [&](int y)
+    { return pixels_.pixels.data() + (pixels_.at(written.left, y) - pixels_.at(0, 0)); };
+    std::vector<std::uint8_t> before;
+    for (int y = pixels_.height - written.top; y < pixels_.height - written.bottom; ++y)
+    {
+        before.insert(before.end(), row(y), row(y) + bytes);
+    }
+    for (const Legend::Piece& piece : all)
+    {
+        draw(piece, pixels_);
+    }
+    shown_ = shrunk(pixels_, supersample_);
+    changedRows_.assign(static_cast<std::size_t>(shown_.height), 1);
+    const std::uint8_t* from = before.data();
+    for (int y = pixels_.height - written.top; y < pixels_.height - written.bottom; ++y)
+    {
+        std::memcpy(row(y), from, bytes);
+        from += bytes;
+    }
+}
+
+std::vector<Legend::Piece> AnnotatedPicture::pieces(const Snapshot& snapshot) const
+{
+    std::vector<Legend::Piece> pieces = legend_.pieces(snapshot);
+    if (swatches_)
+    {
+        pieces.insert(pieces.begin(), {Legend::Piece::Kind::swatches, 0, 0, {}});
+    }
+    return pieces;
+}
+
+PixelRectangle AnnotatedPicture::bounds(const Legend::Piece& piece) const
+{
+    return piece.kind == Legend::Piece::Kind::swatches ? swatches_->pixels()
+                                                       : legend_.bounds(piece);
+}
+
+void AnnotatedPicture::draw(const Legend::Piece& piece, Image& image)
+{
+    piece.kind == Legend::Piece::Kind::swatches ? swatches_->draw(image)
+                                                : legend_.draw(image, piece);
+}
+
+void AnnotatedPicture::write(const Snapshot& snapshot)
+{
+    const std::vector<Legend::Piece> all = pieces(snapshot);
+    written_.resize(all.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
     {
         Written& written = written_[i];
         written.lost = false;
-        if (written.piece != pieces[i])
+        if (written.bounds.empty() || written.piece != all[i])
         {
             bare_.push_back(written.bounds);
-            written.piece = pieces[i];
-            written.bounds = legend.bounds(pieces[i]);
+            written.piece = all[i];
+            written.bounds = bounds(all[i]);
             bare_.push_back(written.bounds);
         }
     }
@@ -86,7 +153,7 @@ void AnnotatedPicture::write(const Legend& legend, const Snapshot& snapshot)
     {
         if (written.lost)
         {
-            legend.draw(shown_, written.piece);
+            draw(written.piece, shown_);
         }
     }
 }
