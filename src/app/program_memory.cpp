@@ -5,6 +5,7 @@
 // what its caller has.
 #include <malloc.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -16,49 +17,84 @@ namespace
 {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
-/// Arrays from this size on ask for huge pages. Smaller: those of a short run fill one in part.
-constexpr std::size_t kLarge = std::size_t{1} << 20;
-/// Arrays from this size on go back to the system when they are freed; smaller ones are used again.
-/// Larger: what is freed between arrays in use stays taken, at 32 MB a tenth of a large run.
-constexpr int kOfItsOwn = 4 << 20;
+/// Arrays from this size on begin and end with a huge page, and go back to the system when they are
+/// freed; smaller ones are used again. Larger: what is freed between arrays in use stays taken, at
+/// 32 MB a tenth of a large run.
+constexpr std::size_t kOfItsOwn = std::size_t{4} << 20;
+/// Of the heap that smaller arrays share, by which it grows. Smaller: the pieces by which it grows
+/// begin within a huge page, and have small ones there.
+constexpr std::size_t kHeap = std::size_t{16} << 20;
 
-/// The whole huge pages that the bytes are on. What else is on them gets the same, or is not there.
+/// This is only advice: where the kernel does not take it, pages are small.
 void askForHugePages(void* bytes, std::size_t size)
 {
-    const std::size_t before = reinterpret_cast<std::uintptr_t>(bytes) % kHugePage;
-    const std::size_t whole = (before + size + kHugePage - 1) / kHugePage * kHugePage;
-    // This is only advice: where the kernel does not take it, pages are small.
     const int error = errno;
-    madvise(static_cast<char*>(bytes) - before, whole, MADV_HUGEPAGE);
+    madvise(bytes, size, MADV_HUGEPAGE);
     errno = error;
 }
 
-/// Before main, so that no array comes earlier.
-[[maybe_unused]] const bool kUsesMemoryAgain =
-    mallopt(M_MMAP_THRESHOLD, kOfItsOwn) != 0 && mallopt(M_TRIM_THRESHOLD, 2 * kOfItsOwn) != 0;
-
-} // namespace
-
-// These operators replace the standard library's, whose other forms call them. Only its forms for
-// aligned memory do not, and nothing large here uses those.
-void* operator new(std::size_t size)
+bool useMemoryAgain()
 {
-    void* const bytes = std::malloc(std::max<std::size_t>(size, 1));
+    mallopt(M_MMAP_THRESHOLD, kOfItsOwn);
+    mallopt(M_TRIM_THRESHOLD, 2 * kOfItsOwn);
+    mallopt(M_TOP_PAD, kHeap);
+    auto* const first = static_cast<char*>(std::malloc(kHugePage));
+    auto* const end = static_cast<char*>(sbrk(0));
+    char* const whole = first + kHugePage - reinterpret_cast<std::uintptr_t>(first) % kHugePage;
+    if (first != nullptr && whole < end) // or it does not lie in the heap
+    {
+        askForHugePages(whole, static_cast<std::size_t>(end - whole));
+    }
+    std::free(first);
+    return true;
+}
+
+/// Before main, so that no array comes earlier.
+[[maybe_unused]] const bool kUsesMemoryAgain = useMemoryAgain();
+
+void* allocate(std::size_t size, std::size_t alignment)
+{
+    const bool isLarge = size >= kOfItsOwn;
+    size = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment;
+    alignment = isLarge ? kHugePage : alignment;
+    void* const bytes = alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__
+                            ? std::malloc(size)
+                            : std::aligned_alloc(alignment, size);
     if (bytes == nullptr)
     {
         throw std::bad_alloc();
     }
-    if (size >= kLarge)
+    if (isLarge)
     {
         askForHugePages(bytes, size);
     }
     return bytes;
+}
+
+} // namespace
+
+// These operators replace the standard library's, whose other forms call them.
+void* operator new(std::size_t size)
+{
+    return allocate(size, __STDCPP_DEFAULT_NEW_ALIGNMENT__);
+}
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+    return allocate(size, static_cast<std::size_t>(alignment));
 }
 void operator delete(void* bytes) noexcept
 {
     std::free(bytes);
 }
 void operator delete(void* bytes, std::size_t /*size*/) noexcept
+{
+    std::free(bytes);
+}
+void operator delete(void* bytes, std::align_val_t /*alignment*/) noexcept
+{
+    std::free(bytes);
+}
+void operator delete(void* bytes, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept
 {
     std::free(bytes);
 }

@@ -22,15 +22,21 @@ struct Item
 };
 using Items = std::span<Item>;
 
+/// Of so many triangles, those in the first half: whole leaves, so that all but one are full.
+std::size_t halfOf(std::size_t count, std::size_t leafSize)
+{
+    return (count / 2 + leafSize - 1) / leafSize * leafSize;
+}
+
 /// Splits items at the median centroid along the longest side. Equal centroids are told apart by
 /// their number, so the halves depend on no library.
-std::array<Items, 2> halve(Items items)
+std::array<Items, 2> halve(Items items, std::size_t leafSize)
 {
     Eigen::AlignedBox3d box;
     std::for_each(items.begin(), items.end(), [&](const Item& item) { box.extend(item.centroid); });
     Eigen::Index axis = 0;
     box.sizes().maxCoeff(&axis);
-    const std::size_t middle = items.size() / 2;
+    const std::size_t middle = halfOf(items.size(), leafSize);
     std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(middle),
                      items.end(),
                      [axis](const Item& a, const Item& b)
@@ -52,7 +58,7 @@ void sortAll(Items items, std::size_t leafSize, Threads& threads)
                   [](const Item& a, const Item& b) { return a.triangle < b.triangle; });
         return;
     }
-    const std::array<Items, 2> halves = halve(items);
+    const std::array<Items, 2> halves = halve(items, leafSize);
     const auto sortHalf = [&](std::size_t k) { sortAll(halves[k], leafSize, threads); };
     if (items.size() > kSmallPart)
     {
@@ -98,9 +104,8 @@ public:
         bvh_.centre_ = box.center();
         bvh_.scale_ = size > 0 ? 1 / size : 1;
         bvh_.starts_.push_back(0);
-        // Leaves have two triangles and more. What is set aside and not used takes no memory.
-        const std::size_t leaves = bvh_.order_.size() / 2 + 1;
-        bvh_.nodes_.reserve(leaves);
+        const std::size_t leaves = bvh_.order_.size() / kInLeaf + 1;
+        bvh_.nodes_.reserve(leaves / 2); // most have more than two
         bvh_.leaves_.reserve(leaves);
         bvh_.starts_.reserve(leaves + 1);
         build(bvh_.order_, true);
@@ -119,15 +124,15 @@ private:
             visit(triangles);
             return;
         }
-        std::size_t levels = 0; // down to the first leaf; to others they differ by one at most
-        for (std::size_t size = triangles.size(); size > kInLeaf; size /= 2)
+        std::size_t levels = 0; // down to the farthest leaf; to others there may be one less
+        for (std::size_t size = triangles.size(); size > kInLeaf; ++levels)
         {
-            ++levels;
+            size = std::max(halfOf(size, kInLeaf), size - halfOf(size, kInLeaf));
         }
         const auto forEachHalf = [](Triangles all, auto&& visitHalf)
         {
-            visitHalf(all.first(all.size() / 2));
-            visitHalf(all.subspan(all.size() / 2));
+            visitHalf(all.first(halfOf(all.size(), kInLeaf)));
+            visitHalf(all.subspan(halfOf(all.size(), kInLeaf)));
         };
         const bool oneLevel = isRoot && levels % 2 == 1;
         forEachHalf(triangles, [&](Triangles half)

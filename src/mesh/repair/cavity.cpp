@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -62,9 +64,8 @@ public:
                              const Eigen::Vector3d& c)
     {
         const double reach = kHalfDiagonal * frame_.cell;
-        const double length = std::sqrt(std::max((b - a).squaredNorm(), (c - a).squaredNorm()));
-        const auto first = frame_.coordinates(a.cwiseMin(b).cwiseMin(c).array() - reach);
-        const auto last = frame_.coordinates(a.cwiseMax(b).cwiseMax(c).array() + reach);
+        const auto first = frame_.coordinates(a.cwiseMin(b).cwiseMin(c));
+        const auto last = frame_.coordinates(a.cwiseMax(b).cwiseMax(c));
         std::size_t looks = 1;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
@@ -75,21 +76,18 @@ public:
         {
             return false;
         }
-        const auto isNear = [&](const Eigen::Vector3d& p)
-        {
-            const double toCorner = (a - p).norm(); // decides alone for most small triangles
-            return toCorner <= reach ||
-                   (toCorner <= reach + length &&
-                    (closestPointOnTriangle(p, a, b, c).point - p).norm() <= reach);
-        };
         for (int z = first[2]; z <= last[2]; ++z)
         {
             for (int y = first[1]; y <= last[1]; ++y)
             {
                 for (int x = first[0]; x <= last[0]; ++x)
                 {
+                    const Eigen::Vector3d p = frame_.centre(x, y, z);
                     char& state = state_[frame_.index(x, y, z)];
-                    state = state == kFree && isNear(frame_.centre(x, y, z)) ? kBlocked : state;
+                    state = state == kFree &&
+                                    (closestPointOnTriangle(p, a, b, c).point - p).norm() <= reach
+                                ? kBlocked
+                                : state;
                 }
             }
         }
@@ -111,7 +109,7 @@ public:
             char& state = state_[frame_.index(place)];
             if (state == kFree)
             {
-                state = wallsAround(frame_.coordinates(place)) >= kWallsOfRoom ? kRoom : kOutside;
+                state = isInRoom(frame_.coordinates(place)) ? kRoom : kOutside;
             }
             if (state != kBlocked)
             {
@@ -128,26 +126,31 @@ private:
     static constexpr char kRoom = 2;
     static constexpr char kOutside = 3;
 
-    /// Of the 26 directions to neighbours, those in which a blocked cube lies.
-    [[nodiscard]] int wallsAround(const std::array<int, 3>& from) const
+    /// Whether a blocked cube lies in enough of the 26 directions to neighbours.
+    [[nodiscard]] bool isInRoom(const std::array<int, 3>& from) const
     {
-        const Eigen::Array3i count(frame_.count[0], frame_.count[1], frame_.count[2]);
-        int walls = 0;
-        for (int direction = 0; direction < 27; ++direction)
+        int open = 0;
+        for (int direction = 0; direction < 27 && open <= 26 - kWallsOfRoom; ++direction)
         {
-            const Eigen::Array3i step(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
-            Eigen::Array3i at = Eigen::Array3i(from[0], from[1], from[2]) + step;
-            while (direction != 13 && (at >= 0).all() && (at < count).all())
+            const std::array<int, 3> step = {direction % 3 - 1, direction / 3 % 3 - 1,
+                                             direction / 9 - 1};
+            int left = std::numeric_limits<int>::max(); // steps to the end of the grid
+            for (std::size_t axis = 0; axis < 3; ++axis)
             {
-                if (state_[frame_.index(at.x(), at.y(), at.z())] == kBlocked)
-                {
-                    ++walls;
-                    break;
-                }
-                at += step;
+                const int before = from[axis];
+                const int behind = frame_.count[axis] - 1 - before;
+                left = step[axis] != 0 ? std::min(left, step[axis] < 0 ? before : behind) : left;
             }
+            const auto stride = static_cast<std::ptrdiff_t>(
+                (step[2] * frame_.count[1] + step[1]) * frame_.count[0] + step[0]);
+            const char* at = &state_[frame_.index(from[0], from[1], from[2])];
+            while (stride != 0 && left > 0 && *(at += stride) != kBlocked)
+            {
+                --left;
+            }
+            open += left == 0 ? 1 : 0;
         }
-        return walls;
+        return open <= 26 - kWallsOfRoom;
     }
 
     GridFrame frame_;
@@ -209,9 +212,8 @@ constexpr double kLeastPart = 0.05;
 constexpr double kMostWalls = 0.5;
 
 /// The triangles that face a room or are of a shell within another one, turned.
-TriangleMesh inwardFaces(const TriangleMesh& walls)
+TriangleMesh inwardFaces(const TriangleMesh& walls, const std::vector<bool>& faces)
 {
-    const std::vector<bool> faces = facesRooms(walls);
     const Pieces pieces(walls, EdgeTable(walls));
     const std::vector<std::size_t> depths = depthsOf(walls, pieces.all);
     TriangleMesh surface{walls.vertices, {}};
@@ -226,11 +228,10 @@ TriangleMesh inwardFaces(const TriangleMesh& walls)
     return surface;
 }
 
-} // namespace
-
-Cavity findCavity(const TriangleMesh& walls)
+/// `faces`: which triangles face a room.
+Cavity cavityOf(const TriangleMesh& walls, const std::vector<bool>& faces)
 {
-    Cavity cavity{inwardFaces(walls)};
+    Cavity cavity{inwardFaces(walls, faces)};
     const Pieces pieces(cavity.surface, EdgeTable(cavity.surface));
     double largest = 0;
     for (const Piece& piece : pieces.all)
@@ -269,6 +270,13 @@ Cavity findCavity(const TriangleMesh& walls)
     return cavity;
 }
 
+} // namespace
+
+Cavity findCavity(const TriangleMesh& walls)
+{
+    return cavityOf(walls, facesRooms(walls));
+}
+
 std::string cavityHint(const std::string& nameOrFile, const LoadMeshOptions& options,
                        const LoadedMesh& loaded)
 {
@@ -278,7 +286,18 @@ std::string cavityHint(const std::string& nameOrFile, const LoadMeshOptions& opt
     {
         return "";
     }
-    const Cavity cavity = findCavity(loaded.mesh);
+    const std::vector<bool> faces = facesRooms(loaded.mesh);
+    double area = 0; // of a ball at least, with lids that are no larger than the walls of a cavity
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+        area += faces[i] ? 2 * areaOf(loaded.mesh, loaded.mesh.triangles[i]) : 0;
+    }
+    if (report.components == 1 &&
+        std::pow(area, 3) <= 36 * std::numbers::pi * report.volume * report.volume)
+    {
+        return "";
+    }
+    const Cavity cavity = cavityOf(loaded.mesh, faces);
     const bool isVessel = mayBeWalls && cavity.volume > report.volume &&
                           cavity.areaOfLids < surfaceArea(cavity.surface);
     if (!cavity.hasClosedPart && !isVessel)

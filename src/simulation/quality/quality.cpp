@@ -2,7 +2,6 @@
 #include "simulation/quality/quality.hpp"
 
 #include "base/threads.hpp"
-#include "mesh/interior/winding_columns.hpp"
 #include "scene/packing_estimate.hpp"
 #include "scene/size_ledger.hpp"
 #include "simulation/quality/contact_network.hpp"
@@ -56,11 +55,8 @@ double frictionOf(const Scene& scene)
 class Examination
 {
 public:
-    /// `all`: every sphere of the world. `winding`: of its surface.
-    Examination(const World& world, const SphereGrid& all, const WindingColumns& winding)
-        : world_(world), all_(all), winding_(winding)
-    {
-    }
+    /// `all`: every sphere of the world.
+    Examination(const World& world, const SphereGrid& all) : world_(world), all_(all) {}
 
     void look(std::uint32_t begin, std::uint32_t end)
     {
@@ -101,7 +97,7 @@ private:
             ++report_.notFinite;
             return;
         }
-        report_.centresOutside += winding_.at(p) > 0 ? 0 : 1;
+        report_.centresOutside += world_.inside.isInsideByWinding(p) ? 0 : 1;
 
         const bool resting = !world_.spheres.isRunning(id);
         normals_.clear();
@@ -185,7 +181,6 @@ private:
 
     const World& world_;
     const SphereGrid& all_;
-    const WindingColumns& winding_;
     QualityReport report_;
     std::vector<Eigen::Vector3d> normals_; ///< of spheres, then of walls
     std::vector<double> below_;            ///< radii of these spheres
@@ -206,10 +201,8 @@ QualityReport examine(const World& world)
         gathered = gatherAll(world);
     }
     const std::size_t count = world.spheres.size();
-    const WindingColumns winding(world.surface.mesh());
     std::vector<Examination> parts(
-        count / kInPart + 1,
-        Examination(world, gathered ? *gathered : world.spheres.resting(), winding));
+        count / kInPart + 1, Examination(world, gathered ? *gathered : world.spheres.resting()));
     Threads threads(world.scene.threads);
     forEachPart(
         threads, count, kInPart,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/reach/clear_search.hpp"
 
+#include <bit>
 #include <cmath>
 
 namespace frostfill
@@ -95,6 +96,20 @@ bool ClearSearch::WallBeside::excludes(const Eigen::Vector3d& part)
     const std::optional<Eigen::Vector3d> other = search_.wallNear(part, exclusion_);
     place_ = other ? other : place_;
     return other.has_value();
+}
+
+std::uint64_t ClearSearch::clearParts(const Eigen::Vector3d& middle, double edge,
+                                      std::uint32_t rows) const
+{
+    const CubeParts parts(middle, edge);
+    std::uint64_t clear = clearOfSpheres(parts, middle, edge, rows);
+    WallBeside wall(*this, middle, edge);
+    for (std::uint64_t left = clear; left != 0; left &= left - 1)
+    {
+        const auto part = static_cast<std::size_t>(std::countr_zero(left));
+        clear &= wall.excludes(parts.middle(part)) ? ~(left & -left) : ~std::uint64_t{0};
+    }
+    return clear;
 }
 
 bool ClearSearch::isStillClear(const Eigen::Vector3d& part, double edge, std::uint32_t rows) const

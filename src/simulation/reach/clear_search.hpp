@@ -91,6 +91,9 @@ public:
     {
         return find(middle, edge, rows, [](const Eigen::Vector3d&) { return true; }) != Place::none;
     }
+    /// A bit for each part of a cube that may be clear.
+    [[nodiscard]] std::uint64_t clearParts(const Eigen::Vector3d& middle, double edge,
+                                           std::uint32_t rows) const;
     /// Whether none of the first `rows` spheres at rest excludes a part by now that was clear.
     [[nodiscard]] bool isStillClear(const Eigen::Vector3d& part, double edge,
                                     std::uint32_t rows) const;

@@ -54,9 +54,13 @@ Discards::Discards(World& world)
       isOff_(!isExact(world)),
       step_(static_cast<std::uint32_t>(std::max<std::size_t>(1, expectedCount(world) / kMarks)))
 {
-    for (std::uint32_t k = 0; !isOff_ && k < world.polygons.size(); ++k)
+    if (!isOff_)
     {
-        polygons_.push_back({k, true, kUnknown});
+        polygons_.reserve(world.polygons.size());
+        for (const std::uint32_t polygon : world.surface.tree().order())
+        {
+            polygons_.push_back({polygon, true, kUnknown});
+        }
     }
 }
 
@@ -109,12 +113,16 @@ void Discards::discardSpheres(std::size_t first)
 {
     const SphereGrid& resting = world_.spheres.resting();
     const std::span<Kept> some = std::span(spheres_).subspan(first);
+    const Cubes& cubes = open_->cubes;
+    const auto find = [&](const GridPlace& cube, auto&& isNear)
+    { return search_.find(cubes.middle(cube), cubes.frame().cell, mark_, isNear); };
     forEachBySlab(
         resting, some.size(), threads_, [&](std::uint32_t k) { return some[k].index; },
         [&](std::uint32_t k)
         {
             Kept& kept = some[k];
-            kept.stays = isOpen(kept.witness) || canBeTouched(resting[kept.index], kept.witness);
+            kept.stays =
+                isOpen(kept.witness) || canBeTouched(resting[kept.index], kept.witness, find);
         });
     const auto goes = [&](const Kept& kept)
     {
@@ -129,19 +137,36 @@ void Discards::discardSpheres(std::size_t first)
         spheres_.end());
 }
 
+// Polygons side by side are looked at together first: those of a fine mesh mostly go together.
 void Discards::discardPolygons()
 {
-    before_ = kUnknown;
-    std::erase_if(polygons_,
-                  [&](Kept& kept)
-                  {
-                      const bool goes = !canBeTouched(kept.index, kept.witness);
-                      if (goes)
-                      {
-                          world_.discardPolygon(kept.index);
-                      }
-                      return goes;
-                  });
+    constexpr std::size_t kTogether = 16;
+    known_.assign(kKnownSide * kKnownSide * kKnownSide, {{-1, -1, -1}, 0});
+    for (std::size_t first = 0; first < polygons_.size(); first += kTogether)
+    {
+        const std::span<Kept> some =
+            std::span(polygons_).subspan(first, std::min(kTogether, polygons_.size() - first));
+        Eigen::AlignedBox3d box;
+        for (const Kept& kept : some)
+        {
+            const auto& [a, b, c] = world_.surface[kept.index].corner;
+            box.extend(a).extend(b).extend(c);
+        }
+        const Eigen::Vector3d middle = box.center();
+        isFine_ = box.diagonal().norm() < open_->cubes.frame().cell;
+        const bool any = canBeTouched(
+            {middle.x(), middle.y(), middle.z(), box.diagonal().norm() / 2}, before_,
+            [&](const GridPlace& cube, auto&& isNear) { return findAmongKnown(cube, isNear); });
+        for (Kept& kept : some)
+        {
+            kept.stays = any && canBeTouched(kept.index, kept.witness);
+            if (!kept.stays)
+            {
+                world_.discardPolygon(kept.index);
+            }
+        }
+    }
+    std::erase_if(polygons_, [](const Kept& kept) { return !kept.stays; });
 }
 
 // Rows at rest are in the order in which the spheres came to rest.
@@ -188,7 +213,8 @@ bool Discards::isOpen(const Eigen::Vector3d& witness) const
            search_.isStillClear(witness, open_->cubes.frame().cell, mark_);
 }
 
-bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness)
+template <class Find>
+bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness, Find&& find)
 {
     const double reach = ball.radius + world_.radii.largest() + kDiscardGap;
     const double ofPart = reach + ClearSearch::reachOfPart(open_->cubes.frame().cell);
@@ -204,72 +230,95 @@ bool Discards::canBeTouched(const Ball& ball, Eigen::Vector3d& witness)
         witness = part; // the last one that is asked for is the one that is found
         return (part - centre).squaredNorm() <= ofPart * ofPart;
     };
+    const auto findNear = [&](const GridPlace& cube) { return find(cube, isNear); };
     return findRowOfBall(frame, centre, reach, kMeetsBall,
-                         [&](int y, int z, CellRun run)
-                         {
-                             return findPlace(
-                                 y, z, run, [](int) { return true; }, isNear);
-                         });
+                         [&](int y, int z, CellRun run) { return findPlace(y, z, run, findNear); });
 }
 
 bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
 {
-    const Cubes& cubes = open_->cubes;
+    const GridFrame& frame = open_->cubes.frame();
     const double reach = world_.radii.largest() + kDiscardGap;
     const std::array<std::uint32_t, 1> alone = {polygon};
     const TriangleGroup group = groupOf(world_.surface, alone);
-    const NearGroup near(world_.surface, group,
-                         reach + ClearSearch::reachOfPart(cubes.frame().cell));
+    const NearGroup near(world_.surface, group, reach + ClearSearch::reachOfPart(frame.cell));
+    // What was found for one polygon is mostly near the next one.
+    if (near.isNear(polygon, before_))
+    {
+        witness = before_;
+        return true;
+    }
     const auto isNear = [&](const Eigen::Vector3d& part)
     {
         witness = part;
         return near.isNear(polygon, part);
     };
-    // Polygons follow each other in a mesh as they lie beside each other in the object.
-    if (!std::isnan(before_.x()) && near.isNear(polygon, before_))
-    {
-        witness = before_;
-        return true;
-    }
     // Most that can be touched can be where a sphere touches their middle from inside.
     const TriangleBound& bound = world_.surface.bound(polygon);
-    const GridPlace beside = cubes.frame().coordinates(
-        bound.centre + (world_.radii.smallest() + kDiscardGap) * bound.normal);
-    bool found = isOpen(witness) || findPlace(
-                                        beside[1], beside[2], {beside[0], beside[0]},
-                                        [](int) { return true; }, isNear);
-    const double far = reach + kHalfDiagonal * cubes.frame().cell;
-    if (!found && cubes.any(open_->inside, cubes.frame().coordinates(group.box.min().array() - far),
-                            cubes.frame().coordinates(group.box.max().array() + far)))
+    const GridPlace beside =
+        frame.coordinates(bound.centre + (world_.radii.smallest() + kDiscardGap) * bound.normal);
+    bool found = isOpen(witness) ||
+                 findPlace(beside[1], beside[2], {beside[0], beside[0]},
+                           [&](const GridPlace& cube) { return findAmongKnown(cube, isNear); });
+    const auto findNear = [&](int y, int z, CellRun run, auto&& isCubeNear)
     {
-        forEachRunNear(cubes.frame(), world_.surface, group, far,
-                       [&](int y, int z, CellRun run, auto&& isCubeNear)
-                       { found = found || findPlace(y, z, run, isCubeNear, isNear); });
+        const auto findIfNear = [&](const GridPlace& cube) {
+            return isCubeNear(cube[0]) ? findAmongKnown(cube, isNear)
+                                       : ClearSearch::Place::elsewhere;
+        };
+        found = found || findPlace(y, z, run, findIfNear);
+    };
+    const double far = reach + kHalfDiagonal * frame.cell;
+    if (!found && open_->cubes.any(open_->inside, frame.coordinates(group.box.min().array() - far),
+                                   frame.coordinates(group.box.max().array() + far)))
+    {
+        forEachRunNear(frame, world_.surface, group, far, findNear);
     }
     before_ = found ? witness : before_;
     return found;
 }
 
-// Whether one of the cubes of a row that are near may hold a place in a part that is near. Cubes
-// that hold none at all are closed.
-template <class IsCubeNear, class IsNear>
-bool Discards::findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear, IsNear&& isNear)
+// As ClearSearch::find. Polygons that are smaller than cubes ask for the same ones again and again.
+template <class IsWanted>
+ClearSearch::Place Discards::findAmongKnown(const GridPlace& cube, IsWanted&& isWanted)
 {
-    const Cubes& cubes = open_->cubes;
+    const auto digits = [](int place) { return static_cast<unsigned>(place) % kKnownSide; };
+    Known& known =
+        known_[(digits(cube[2]) * kKnownSide + digits(cube[1])) * kKnownSide + digits(cube[0])];
+    const Eigen::Vector3d middle = open_->cubes.middle(cube);
+    const double edge = open_->cubes.frame().cell;
+    if (!isFine_)
+    {
+        return search_.find(middle, edge, mark_, isWanted);
+    }
+    if (known.cube != cube)
+    {
+        known = {cube, search_.clearParts(middle, edge, mark_)};
+    }
+    const CubeParts parts(middle, edge);
+    for (std::uint64_t left = known.parts; left != 0; left &= left - 1)
+    {
+        if (isWanted(parts.middle(static_cast<std::size_t>(std::countr_zero(left)))))
+        {
+            return ClearSearch::Place::wanted;
+        }
+    }
+    return known.parts == 0 ? ClearSearch::Place::none : ClearSearch::Place::elsewhere;
+}
+
+// Whether find(cube) finds a place in one of the open cubes of a row. Cubes that hold none at all
+// are closed.
+template <class Find>
+bool Discards::findPlace(int y, int z, CellRun run, Find&& find)
+{
     bool found = false;
     forEachWordOf(run,
                   [&](int x, std::uint64_t bits)
                   {
-                      std::uint64_t& open = open_->inside[cubes.word(x, y, z)];
+                      std::uint64_t& open = open_->inside[open_->cubes.word(x, y, z)];
                       for (bits &= open; bits != 0 && !found; bits &= bits - 1)
                       {
-                          const int cube = 64 * x + std::countr_zero(bits);
-                          if (!isCubeNear(cube))
-                          {
-                              continue;
-                          }
-                          const auto place = search_.find(cubes.middle({cube, y, z}),
-                                                          cubes.frame().cell, mark_, isNear);
+                          const auto place = find({64 * x + std::countr_zero(bits), y, z});
                           found = place == ClearSearch::Place::wanted;
                           open &= place == ClearSearch::Place::none ? ~(bits & -bits) : open;
                       }

@@ -43,12 +43,21 @@ private:
         bool stays;              ///< it can be touched
         Eigen::Vector3d witness; ///< of a part of a cube, from which it can be touched; else NaN
     };
+    /// The parts of a cube that may be clear.
+    struct Known
+    {
+        GridPlace cube;
+        std::uint64_t parts;
+    };
+    static constexpr std::size_t kKnownSide = 16;
     [[nodiscard]] bool isOpen(const Eigen::Vector3d& witness) const;
-    [[nodiscard]] bool canBeTouched(const Ball& ball, Eigen::Vector3d& witness);
+    template <class Find>
+    [[nodiscard]] bool canBeTouched(const Ball& ball, Eigen::Vector3d& witness, Find&& find);
     [[nodiscard]] bool canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness);
-    template <class IsCubeNear, class IsNear>
-    [[nodiscard]] bool findPlace(int y, int z, CellRun run, IsCubeNear&& isCubeNear,
-                                 IsNear&& isNear);
+    template <class Find>
+    [[nodiscard]] bool findPlace(int y, int z, CellRun run, Find&& find);
+    template <class IsWanted>
+    [[nodiscard]] ClearSearch::Place findAmongKnown(const GridPlace& cube, IsWanted&& isWanted);
     /// Looks at `spheres_` from `first` on.
     void discardSpheres(std::size_t first);
     void discardPolygons();
@@ -62,7 +71,9 @@ private:
     std::uint32_t mark_ = 0;        ///< spheres at rest at the newest mark
     std::vector<Kept> spheres_;
     std::vector<Kept> polygons_;
-    Eigen::Vector3d before_; ///< witness of a polygon that was looked at before, at this mark
+    Eigen::Vector3d before_;   ///< witness of a polygon that was looked at before, at this mark
+    std::vector<Known> known_; ///< at this mark, by the last digits of the cubes' places
+    bool isFine_ = false;      ///< polygons that are looked at together are within a cube
 };
 
 } // namespace frostfill
