@@ -123,7 +123,8 @@ struct Style
     ColourMap colourMap = ColourMap::viridis;
     Cutaway cutaway;
     bool legend = true;
-    bool shell = true; ///< draw the mesh as a translucent shell with its edges
+    bool shell = true;     ///< draw the mesh as a translucent shell with its edges
+    bool fullMesh = false; ///< draw all triangles of a dense mesh, not a simplified shell
     EdgeLines edges = EdgeLines::automatic;
     std::optional<double> shellOpacity; ///< 0..1 of the shell where it is seen straight on; if not
                                         ///< given, the palette's

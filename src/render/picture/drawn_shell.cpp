@@ -24,7 +24,8 @@ DrawnShell::DrawnShell(const TriangleMesh& mesh, const RenderSettings& settings,
     : height_(settings.size.height), isSeen_(settings.style.shell), fadingLines_(fadingLines)
 {
     // With the edges of all triangles a picture shows the triangles themselves.
-    if (settings.style.shell && settings.style.edges != EdgeLines::on &&
+    const Style& style = settings.style;
+    if (style.shell && !style.fullMesh && style.edges != EdgeLines::on &&
         mesh.triangles.size() > kShellTriangles)
     {
         dense_ = mesh;

@@ -37,7 +37,7 @@ constexpr FormerFlag kFormerFlags[] = {
     {"--fps", "frames.fps"},
     {"--freeze-by-set", "freezing.rule=by-set"},
     {"--freeze-every", "freezing.every_sets"},
-    {"--full-mesh", "of the commands view and export: frostfill view RUN --full-mesh"},
+    {"--full-mesh", "picture.full_mesh"},
     {"--gravity", "motion.gravity"},
     {"--ground", "picture.ground"},
     {"--group-size", "spheres.group_size"},

@@ -164,6 +164,9 @@ void addPicture(TableBuilder& table)
               FROSTFILL_FIELD(style.legend));
     table.add("picture.shell", "--shell", "Show the mesh as a translucent shell",
               FROSTFILL_FIELD(style.shell));
+    table.add("picture.full_mesh", "",
+              "Draw all triangles of a dense mesh, in place of a simplified shell",
+              FROSTFILL_FIELD(style.fullMesh));
     table.add("picture.edges", "",
               "Edges of the shell besides silhouettes and creases; auto: of large triangles, at "
               "most 5000",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "simulation/columns/column_capture.hpp"
 
+#include "base/threads.hpp"
 #include "simulation/quality/contact_network.hpp"
 #include "simulation/quality/equilibrium.hpp"
 
@@ -8,6 +9,8 @@
 #include <frostfill/simulation.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace frostfill
 {
@@ -50,30 +53,72 @@ double orientationOf(const World& world, std::uint32_t id, char component)
 
 } // namespace
 
-// They are found for all at once after a sphere has come to rest or woken, or the object has moved.
-const std::vector<double>* ColumnCapture::valuesAtRest(const Column& column)
+const std::vector<double>& ContactCounts::update()
 {
-    const auto find = column.name == "contacts"    ? contactsAtRest
-                      : column.name == "unbalance" ? unbalanceAtRest
-                                                   : nullptr;
-    if (find == nullptr)
+    std::vector<char> isOld(std::max(world_.spheres.size(), places_.size()), 0);
+    goThroughChanges(isOld);
+    counts_.resize(world_.spheres.size());
+    Threads threads(world_.scene.threads);
+    threads.forEach(counts_.size(),
+                    [&](std::size_t k)
+                    {
+                        const auto id = static_cast<std::uint32_t>(k);
+                        counts_[id] = isOld[id] != 0 ? restingContacts(world_, id) : counts_[id];
+                    });
+    return counts_;
+}
+
+// A sphere that is gone has left its place, too. Not all that is told has changed.
+void ContactCounts::goThroughChanges(std::vector<char>& isOld)
+{
+    const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(std::nan(""));
+    const SphereGrid& resting = world_.spheres.resting();
+    const auto enterBeside = [&](const Eigen::Vector3d& place)
     {
-        return nullptr;
-    }
-    AtRest now{world_.spheres.changeCount(), world_.pull.uniform, world_.pull.spin};
-    const auto [known, isNew] = atRest_.try_emplace(&column);
-    if (isNew || !known->second.isOf(now))
+        const double reach = world_.radii.largest() + 1 + kContactGap;
+        if (place.allFinite())
+        {
+            resting.forEachNear(place, reach,
+                                [&](std::uint32_t row) { isOld[resting.id(row)] = 1; });
+        }
+    };
+    const std::size_t count = world_.spheres.size();
+    for (std::size_t id = count; id < places_.size(); ++id)
     {
-        now.values = find(world_);
-        known->second = std::move(now);
+        enterBeside(places_[id]);
     }
-    return &known->second.values;
+    places_.resize(count, nowhere);
+    const auto look = [&](std::uint32_t id)
+    {
+        const bool rests = id < count && !world_.spheres.isRunning(id);
+        const Eigen::Vector3d place = rests ? world_.spheres.position(id) : nowhere;
+        if (id < count && place != places_[id])
+        {
+            isOld[id] = 1;
+            enterBeside(std::exchange(places_[id], place));
+            enterBeside(place);
+        }
+    };
+    world_.spheres.forEachChangedSince(seen_, look);
+}
+
+// Found for all at once after a sphere has come to rest or woken, or the object has moved.
+const std::vector<double>& ColumnCapture::unbalances()
+{
+    Unbalance now{world_.spheres.changeCount(), world_.pull.uniform, world_.pull.spin};
+    if (!unbalance_ || !unbalance_->isOf(now))
+    {
+        now.values = unbalanceAtRest(world_);
+        unbalance_ = std::move(now);
+    }
+    return unbalance_->values;
 }
 
 void ColumnCapture::update(ColumnValues& values, std::vector<std::uint32_t>& changed)
 {
     const Column& column = values.column();
-    const std::vector<double>* atRest = column.compute ? nullptr : valuesAtRest(column);
+    const auto* contacts = column.name == "contacts" ? &contacts_.update() : nullptr;
+    const auto* unbalance = column.name == "unbalance" ? &unbalances() : nullptr;
     const bool isOrientation = column.partOf == kOrientation;
     values.bits.resize(world_.spheres.size());
     for (std::uint32_t id = 0; id < values.bits.size(); ++id)
@@ -82,7 +127,8 @@ void ColumnCapture::update(ColumnValues& values, std::vector<std::uint32_t>& cha
         const bool has = column.of == ColumnOf::all || runs == (column.of == ColumnOf::running);
         const double value = !has             ? 0
                              : column.compute ? column.compute(id, recordOf(world_, id))
-                             : atRest         ? (*atRest)[world_.spheres.row(id)]
+                             : contacts       ? (*contacts)[id]
+                             : unbalance      ? (*unbalance)[world_.spheres.row(id)]
                              : isOrientation  ? orientationOf(world_, id, column.name.back())
                                               : 0;
         if (values.set(id, value))

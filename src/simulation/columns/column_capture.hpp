@@ -7,7 +7,7 @@
 
 #include <frostfill/snapshot.hpp>
 
-#include <map>
+#include <optional>
 #include <vector>
 
 namespace frostfill
@@ -15,11 +15,30 @@ namespace frostfill
 
 [[nodiscard]] SphereRecord recordOf(const World& world, std::size_t id);
 
+/// Contacts of all spheres at rest: see restingContacts(). They are counted anew beside spheres
+/// that have come to rest or woken since, so a state costs what has changed.
+class ContactCounts
+{
+public:
+    explicit ContactCounts(const World& world) : world_(world) {}
+
+    /// [#spheres] As of now, by id.
+    [[nodiscard]] const std::vector<double>& update();
+
+private:
+    void goThroughChanges(std::vector<char>& isOld);
+
+    const World& world_;
+    std::size_t seen_ = 0;                ///< changes of spheres' states
+    std::vector<Eigen::Vector3d> places_; ///< by id, where it rested then; or nowhere
+    std::vector<double> counts_;          ///< by id
+};
+
 /// Gives snapshots the carried columns that they ask for. Costs nothing until one does.
 class ColumnCapture
 {
 public:
-    explicit ColumnCapture(const World& world) : world_(world) {}
+    explicit ColumnCapture(const World& world) : world_(world), contacts_(world) {}
 
     /// Brings the columns of a snapshot up to date, after all else in it. Adds the spheres whose
     /// value is another one now to Snapshot::changed.
@@ -29,25 +48,26 @@ public:
     [[nodiscard]] std::vector<ColumnValues> all();
 
 private:
-    /// Values by row at rest, and all that they depend on.
-    struct AtRest
+    /// What is missing on spheres at rest, by their rows, and all that it depends on.
+    struct Unbalance
     {
         std::size_t changes = 0; ///< of spheres' states
         Eigen::Vector3d pull;
         Eigen::Vector3d spin;
         std::vector<double> values = {};
 
-        [[nodiscard]] bool isOf(const AtRest& moment) const
+        [[nodiscard]] bool isOf(const Unbalance& moment) const
         {
             return changes == moment.changes && pull == moment.pull && spin == moment.spin;
         }
     };
 
-    [[nodiscard]] const std::vector<double>* valuesAtRest(const Column& column);
+    [[nodiscard]] const std::vector<double>& unbalances();
     void update(ColumnValues& values, std::vector<std::uint32_t>& changed);
 
     const World& world_;
-    std::map<const Column*, AtRest> atRest_;
+    ContactCounts contacts_;
+    std::optional<Unbalance> unbalance_;
 };
 
 } // namespace frostfill

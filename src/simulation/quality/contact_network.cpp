@@ -102,20 +102,6 @@ std::uint32_t restingContacts(const World& world, std::uint32_t id)
     return spheresBeside(world, id, p) + wallsBeside(world, id, p);
 }
 
-std::vector<double> contactsAtRest(const World& world)
-{
-    const SphereGrid& resting = world.spheres.resting();
-    std::vector<double> contacts(resting.size());
-    Threads threads(world.scene.threads);
-    threads.forEach(contacts.size(),
-                    [&](std::size_t row)
-                    {
-                        const std::uint32_t id = resting.id(static_cast<std::uint32_t>(row));
-                        contacts[row] = restingContacts(world, id);
-                    });
-    return contacts;
-}
-
 namespace
 {
 

@@ -91,8 +91,6 @@ inline void addNormal(std::vector<Eigen::Vector3d>& normals, const Eigen::Vector
 /// as near are one piece, so that the count does not depend on how finely a wall is divided. A wall
 /// through the centre does not count. Of a running sphere: 0.
 [[nodiscard]] std::uint32_t restingContacts(const World& world, std::uint32_t id);
-/// The same of all spheres at rest, by their rows.
-[[nodiscard]] std::vector<double> contactsAtRest(const World& world);
 
 /// Spheres at rest, and where they push one another and walls push them.
 struct ContactNetwork

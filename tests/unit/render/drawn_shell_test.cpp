@@ -93,11 +93,14 @@ TEST_F(DenseShell, HasTheStatesOfTheTrianglesAround)
     EXPECT_EQ(shell.follow({}).size(), low) << "all are active again";
 }
 
-TEST_F(DenseShell, IsTheMeshWhereItsEdgesAreShownOrTrianglesAreFew)
+TEST_F(DenseShell, IsTheMeshWhereThatIsAskedForOrItsEdgesAreShownOrTrianglesAreFew)
 {
     settings_.style.edges = EdgeLines::on;
     EXPECT_EQ(DrawnShell(mesh_, settings_, framing(), true).mesh().triangles, mesh_.triangles);
     settings_.style.edges = EdgeLines::automatic;
+    settings_.style.fullMesh = true;
+    EXPECT_EQ(DrawnShell(mesh_, settings_, framing()).mesh().triangles, mesh_.triangles);
+    settings_.style.fullMesh = false;
     mesh_ = torusMesh(1, 0.4, 100, 100);
     EXPECT_EQ(DrawnShell(mesh_, settings_, framing(), true).mesh().triangles, mesh_.triangles);
 }
