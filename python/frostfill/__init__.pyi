@@ -40,6 +40,7 @@ class PictureOptions(TypedDict, total=False):
     picture_ambient_occlusion: bool
     legend: bool
     shell: bool
+    picture_full_mesh: bool
     picture_edges: Literal['auto', 'on', 'off'] | bool
     picture_shell_opacity: float | Literal['auto'] | None
     picture_ground: bool

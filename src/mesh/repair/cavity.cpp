@@ -64,8 +64,9 @@ public:
                              const Eigen::Vector3d& c)
     {
         const double reach = kHalfDiagonal * frame_.cell;
-        const auto first = frame_.coordinates(a.cwiseMin(b).cwiseMin(c));
-        const auto last = frame_.coordinates(a.cwiseMax(b).cwiseMax(c));
+        const double length = std::sqrt(std::max((b - a).squaredNorm(), (c - a).squaredNorm()));
+        const auto first = frame_.coordinates(a.cwiseMin(b).cwiseMin(c).array() - reach);
+        const auto last = frame_.coordinates(a.cwiseMax(b).cwiseMax(c).array() + reach);
         std::size_t looks = 1;
         for (std::size_t axis = 0; axis < 3; ++axis)
         {
@@ -76,18 +77,21 @@ public:
         {
             return false;
         }
+        const auto isNear = [&](const Eigen::Vector3d& p)
+        {
+            const double toCorner = (a - p).norm(); // decides alone for most small triangles
+            return toCorner <= reach ||
+                   (toCorner <= reach + length &&
+                    (closestPointOnTriangle(p, a, b, c).point - p).norm() <= reach);
+        };
         for (int z = first[2]; z <= last[2]; ++z)
         {
             for (int y = first[1]; y <= last[1]; ++y)
             {
                 for (int x = first[0]; x <= last[0]; ++x)
                 {
-                    const Eigen::Vector3d p = frame_.centre(x, y, z);
                     char& state = state_[frame_.index(x, y, z)];
-                    state = state == kFree &&
-                                    (closestPointOnTriangle(p, a, b, c).point - p).norm() <= reach
-                                ? kBlocked
-                                : state;
+                    state = state == kFree && isNear(frame_.centre(x, y, z)) ? kBlocked : state;
                 }
             }
         }

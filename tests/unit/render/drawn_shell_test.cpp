@@ -99,7 +99,7 @@ TEST_F(DenseShell, IsTheMeshWhereThatIsAskedForOrItsEdgesAreShownOrTrianglesAreF
     EXPECT_EQ(DrawnShell(mesh_, settings_, framing(), true).mesh().triangles, mesh_.triangles);
     settings_.style.edges = EdgeLines::automatic;
     settings_.style.fullMesh = true;
-    EXPECT_EQ(DrawnShell(mesh_, settings_, framing()).mesh().triangles, mesh_.triangles);
+    EXPECT_EQ(DrawnShell(mesh_, settings_, framing(), true).mesh().triangles, mesh_.triangles);
     settings_.style.fullMesh = false;
     mesh_ = torusMesh(1, 0.4, 100, 100);
     EXPECT_EQ(DrawnShell(mesh_, settings_, framing(), true).mesh().triangles, mesh_.triangles);
