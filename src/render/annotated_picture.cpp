@@ -70,7 +70,7 @@ void AnnotatedPicture::shrink(const Snapshot& snapshot)
     {
         written = around(written, bounds(piece));
     }
-    const auto bytes = static_cast<std::size_t>(written.width() * pixels_.channels);
+    const auto bytes = static_cast<std::size_t>(written.width()) * pixels_.channels;
     const auto row = [&](int y)
     { return pixels_.pixels.data() + (pixels_.at(written.left, y) - pixels_.at(0, 0)); };
     std::vector<std::uint8_t> before;

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <new>
 
 extern "C" int isDue(const char* call);
 extern "C" std::atomic<int> faultInMain;
@@ -60,45 +59,20 @@ bool fails(const void* caller)
     return kWatched && isInProgram(caller) && isDue("new") != 0;
 }
 
-void* orThrow(void* memory)
-{
-    if (memory == nullptr)
-    {
-        throw std::bad_alloc();
-    }
-    return memory;
-}
-
 } // namespace
 
-void* operator new(std::size_t size)
+// The program's own operators new call these.
+extern "C"
 {
-    return orThrow(fails(__builtin_return_address(0)) ? nullptr : std::malloc(size > 0 ? size : 1));
-}
-void* operator new[](std::size_t size)
-{
-    return orThrow(fails(__builtin_return_address(0)) ? nullptr : std::malloc(size > 0 ? size : 1));
-}
-void* operator new(std::size_t size, std::align_val_t alignment)
-{
-    const auto step = static_cast<std::size_t>(alignment);
-    return orThrow(fails(__builtin_return_address(0))
-                       ? nullptr
-                       : std::aligned_alloc(step, (size + step - 1) / step * step));
-}
-void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t /*size*/) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::align_val_t /*alignment*/) noexcept
-{
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept
-{
-    std::free(memory);
+    void* __libc_malloc(std::size_t size);
+    void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+    void* malloc(std::size_t size)
+    {
+        return fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+    }
+    void* aligned_alloc(std::size_t alignment, std::size_t size)
+    {
+        return fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
+    }
 }

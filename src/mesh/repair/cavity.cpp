@@ -145,8 +145,8 @@ private:
                 const int behind = frame_.count[axis] - 1 - before;
                 left = step[axis] != 0 ? std::min(left, step[axis] < 0 ? before : behind) : left;
             }
-            const auto stride = static_cast<std::ptrdiff_t>(
-                (step[2] * frame_.count[1] + step[1]) * frame_.count[0] + step[0]);
+            const auto stride =
+                (std::ptrdiff_t{step[2]} * frame_.count[1] + step[1]) * frame_.count[0] + step[0];
             const char* at = &state_[frame_.index(from[0], from[1], from[2])];
             while (stride != 0 && left > 0 && *(at += stride) != kBlocked)
             {

@@ -153,10 +153,12 @@ void Discards::discardPolygons()
             box.extend(a).extend(b).extend(c);
         }
         const Eigen::Vector3d middle = box.center();
-        isFine_ = box.diagonal().norm() < open_->cubes.frame().cell;
-        const bool any = canBeTouched(
-            {middle.x(), middle.y(), middle.z(), box.diagonal().norm() / 2}, before_,
-            [&](const GridPlace& cube, auto&& isNear) { return findAmongKnown(cube, isNear); });
+        const double size = box.diagonal().norm();
+        isFine_ = size < open_->cubes.frame().cell;
+        const bool any = size > world_.radii.largest() ||
+                         canBeTouched({middle.x(), middle.y(), middle.z(), size / 2}, before_,
+                                      [&](const GridPlace& cube, auto&& isNear)
+                                      { return findAmongKnown(cube, isNear); });
         for (Kept& kept : some)
         {
             kept.stays = any && canBeTouched(kept.index, kept.witness);
