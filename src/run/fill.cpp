@@ -253,6 +253,24 @@ void enterPictures(const FillRequest& request, const FramePainter& painter, std:
     result.renderer = painter.drawn().renderer;
 }
 
+/// The frames of a run whose length is known, and tells the recorder, if there is one.
+FramePlan planFor(SimulatedRun& run, const Scene& scene, const LoadedMesh& mesh,
+                  const std::optional<CameraPath>& path, FrameRecorder* recorder)
+{
+    const FramePlan frames =
+        planPictures(scene, mesh.report, run.length, path ? path->duration() : 0);
+    if (recorder != nullptr)
+    {
+        recorder->keepTo(frames);
+    }
+    if (recorder != nullptr && run.length.drawsFalls)
+    {
+        recorder->drawFalls(std::make_unique<FallingSpheres>(std::move(run.landings), mesh.mesh,
+                                                             scene, frames.timing.lag));
+    }
+    return frames;
+}
+
 /// Shows the last state, of a run that has come to its end, and enters what was drawn. Returns the
 /// times that it took.
 StageTimes drawTheRest(FrameRecorder& recorder, const RunState& last, const Simulation& simulation,
@@ -380,17 +398,7 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     {
         run.length = estimatedLength(request.scene, mesh, simulation, observer);
     }
-    const FramePlan frames =
-        planPictures(request.scene, mesh.report, run.length, path ? path->duration() : 0);
-    if (recorder)
-    {
-        recorder->keepTo(frames);
-    }
-    if (run.length.drawsFalls)
-    {
-        recorder->drawFalls(std::make_unique<FallingSpheres>(std::move(run.landings), mesh.mesh,
-                                                             request.scene, frames.timing.lag));
-    }
+    const FramePlan frames = planFor(run, request.scene, mesh, path, recorder.get());
     directory.begin(); // all that can fail before the first step has not
     if (isKept(request.scene))
     {

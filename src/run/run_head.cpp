@@ -35,7 +35,7 @@ Pose poseFromJson(const Json& numbers)
     }
     for (int axis = 0; axis < 3; ++axis)
     {
-        pose.offset[axis] = numbers.at(static_cast<std::size_t>(9 + axis)).get<double>();
+        pose.offset[axis] = numbers.at(9 + static_cast<std::size_t>(axis)).get<double>();
     }
     return pose;
 }

@@ -39,7 +39,7 @@ namespace
 std::filesystem::path fileOfRun(const std::filesystem::path& run)
 {
     std::error_code error;
-    const std::filesystem::path file =
+    std::filesystem::path file =
         std::filesystem::is_directory(run, error) ? run / kRunFile : run;
     if (!std::filesystem::is_regular_file(file, error))
     {

@@ -64,8 +64,10 @@ bool fails(const void* caller)
 // The program's own operators new call these.
 extern "C"
 {
+    // NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming): glibc's names
     void* __libc_malloc(std::size_t size);
     void* __libc_memalign(std::size_t alignment, std::size_t size);
+    // NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
     void* malloc(std::size_t size)
     {

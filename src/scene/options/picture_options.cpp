@@ -96,6 +96,25 @@ std::vector<std::string> colourChoices()
     return choices;
 }
 
+void addShell(TableBuilder& table)
+{
+    table.add("picture.shell", "--shell", "Show the mesh as a translucent shell",
+              FROSTFILL_FIELD(style.shell));
+    table.add("picture.full_mesh", "",
+              "Draw all triangles of a dense mesh, in place of a simplified shell",
+              FROSTFILL_FIELD(style.fullMesh));
+    table.add("picture.edges", "",
+              "Edges of the shell besides silhouettes and creases; auto: of large triangles, at "
+              "most 5000",
+              FROSTFILL_FIELD(style.edges));
+    table
+        .add("picture.shell_opacity", "",
+             "How much the shell hides, 0 to 1; auto: that of its colour",
+             FROSTFILL_FIELD(style.shellOpacity))
+        .orUnset("auto")
+        .range(0, 1);
+}
+
 void addPicture(TableBuilder& table)
 {
     table.add("picture.size", "--size", "Width and height [pixel]", FROSTFILL_FIELD(size));
@@ -162,21 +181,7 @@ void addPicture(TableBuilder& table)
               FROSTFILL_FIELD(style.ambientOcclusion));
     table.add("picture.legend", "--legend", "Show counts and colours",
               FROSTFILL_FIELD(style.legend));
-    table.add("picture.shell", "--shell", "Show the mesh as a translucent shell",
-              FROSTFILL_FIELD(style.shell));
-    table.add("picture.full_mesh", "",
-              "Draw all triangles of a dense mesh, in place of a simplified shell",
-              FROSTFILL_FIELD(style.fullMesh));
-    table.add("picture.edges", "",
-              "Edges of the shell besides silhouettes and creases; auto: of large triangles, at "
-              "most 5000",
-              FROSTFILL_FIELD(style.edges));
-    table
-        .add("picture.shell_opacity", "",
-             "How much the shell hides, 0 to 1; auto: that of its colour",
-             FROSTFILL_FIELD(style.shellOpacity))
-        .orUnset("auto")
-        .range(0, 1);
+    addShell(table);
     table.add("picture.ground", "",
               "With the style studio: show a ground with the shadow of the object",
               FROSTFILL_FIELD(style.ground));
