@@ -39,8 +39,7 @@ namespace
 std::filesystem::path fileOfRun(const std::filesystem::path& run)
 {
     std::error_code error;
-    std::filesystem::path file =
-        std::filesystem::is_directory(run, error) ? run / kRunFile : run;
+    std::filesystem::path file = std::filesystem::is_directory(run, error) ? run / kRunFile : run;
     if (!std::filesystem::is_regular_file(file, error))
     {
         throw Error(ErrorCode::inputMissing,

@@ -53,10 +53,14 @@ double orientationOf(const World& world, std::uint32_t id, char component)
 
 } // namespace
 
-const std::vector<double>& ContactCounts::update()
+const std::vector<double>& ContactCounts::update(bool once)
 {
-    std::vector<char> isOld(std::max(world_.spheres.size(), places_.size()), 0);
-    goThroughChanges(isOld);
+    const bool all = once && places_.empty();
+    std::vector<char> isOld(std::max(world_.spheres.size(), places_.size()), all ? 1 : 0);
+    if (!all)
+    {
+        goThroughChanges(isOld);
+    }
     counts_.resize(world_.spheres.size());
     Threads threads(world_.scene.threads);
     threads.forEach(counts_.size(),
@@ -114,10 +118,10 @@ const std::vector<double>& ColumnCapture::unbalances()
     return unbalance_->values;
 }
 
-void ColumnCapture::update(ColumnValues& values, std::vector<std::uint32_t>& changed)
+void ColumnCapture::update(ColumnValues& values, std::vector<std::uint32_t>& changed, bool once)
 {
     const Column& column = values.column();
-    const auto* contacts = column.name == "contacts" ? &contacts_.update() : nullptr;
+    const auto* contacts = column.name == "contacts" ? &contacts_.update(once) : nullptr;
     const auto* unbalance = column.name == "unbalance" ? &unbalances() : nullptr;
     const bool isOrientation = column.partOf == kOrientation;
     values.bits.resize(world_.spheres.size());
@@ -155,7 +159,7 @@ std::vector<ColumnValues> ColumnCapture::all()
     std::vector<std::uint32_t> all;
     for (ColumnValues& values : columns)
     {
-        update(values, all);
+        update(values, all, true);
     }
     return columns;
 }

@@ -22,8 +22,9 @@ class ContactCounts
 public:
     explicit ContactCounts(const World& world) : world_(world) {}
 
-    /// [#spheres] As of now, by id.
-    [[nodiscard]] const std::vector<double>& update();
+    /// [#spheres] As of now, by id. With `once` no places are kept if there are none yet: all are
+    /// counted again the next time.
+    [[nodiscard]] const std::vector<double>& update(bool once);
 
 private:
     void goThroughChanges(std::vector<char>& isOld);
@@ -63,7 +64,7 @@ private:
     };
 
     [[nodiscard]] const std::vector<double>& unbalances();
-    void update(ColumnValues& values, std::vector<std::uint32_t>& changed);
+    void update(ColumnValues& values, std::vector<std::uint32_t>& changed, bool once = false);
 
     const World& world_;
     ContactCounts contacts_;
