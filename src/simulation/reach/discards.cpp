@@ -141,6 +141,7 @@ void Discards::discardSpheres(std::size_t first)
 void Discards::discardPolygons()
 {
     constexpr std::size_t kTogether = 16;
+    before_ = kUnknown;
     known_.assign(kKnownSide * kKnownSide * kKnownSide, {{-1, -1, -1}, 0});
     for (std::size_t first = 0; first < polygons_.size(); first += kTogether)
     {
@@ -155,10 +156,12 @@ void Discards::discardPolygons()
         const Eigen::Vector3d middle = box.center();
         const double size = box.diagonal().norm();
         isFine_ = size < open_->cubes.frame().cell;
+        Eigen::Vector3d place = kUnknown; // the search leaves one here even if it finds none
         const bool any = size > world_.radii.largest() ||
-                         canBeTouched({middle.x(), middle.y(), middle.z(), size / 2}, before_,
+                         canBeTouched({middle.x(), middle.y(), middle.z(), size / 2}, place,
                                       [&](const GridPlace& cube, auto&& isNear)
                                       { return findAmongKnown(cube, isNear); });
+        before_ = any && !std::isnan(place.x()) ? place : before_;
         for (Kept& kept : some)
         {
             kept.stays = any && canBeTouched(kept.index, kept.witness);
@@ -244,7 +247,7 @@ bool Discards::canBeTouched(std::uint32_t polygon, Eigen::Vector3d& witness)
     const std::array<std::uint32_t, 1> alone = {polygon};
     const TriangleGroup group = groupOf(world_.surface, alone);
     const NearGroup near(world_.surface, group, reach + ClearSearch::reachOfPart(frame.cell));
-    // What was found for one polygon is mostly near the next one.
+    // A place that was found for one polygon is mostly near the next one.
     if (near.isNear(polygon, before_))
     {
         witness = before_;
