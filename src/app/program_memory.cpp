@@ -17,8 +17,8 @@ namespace
 {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
-/// Arrays from this size on begin and end with a huge page, and go back to the system when they are
-/// freed; smaller ones are used again. Larger: what is freed between arrays in use stays taken, at
+/// Arrays from this size on begin with a huge page, and go back to the system when they are freed;
+/// smaller ones are used again. Larger: what is freed between arrays in use stays taken, at
 /// 32 MB a tenth of a large run.
 constexpr std::size_t kOfItsOwn = std::size_t{4} << 20;
 /// Of the heap that smaller arrays share, by which it grows. Smaller: the pieces by which it grows
@@ -55,11 +55,10 @@ bool useMemoryAgain()
 void* allocate(std::size_t size, std::size_t alignment)
 {
     const bool isLarge = size >= kOfItsOwn;
-    size = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment * alignment;
-    alignment = isLarge ? kHugePage : alignment;
+    alignment = isLarge ? std::max(alignment, kHugePage) : alignment;
     void* const bytes = alignment <= __STDCPP_DEFAULT_NEW_ALIGNMENT__
-                            ? std::malloc(size)
-                            : std::aligned_alloc(alignment, size);
+                            ? std::malloc(std::max<std::size_t>(size, 1))
+                            : memalign(alignment, size); // of any size
     if (bytes == nullptr)
     {
         throw std::bad_alloc();

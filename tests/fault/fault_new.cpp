@@ -73,7 +73,7 @@ extern "C"
     {
         return fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
     }
-    void* aligned_alloc(std::size_t alignment, std::size_t size)
+    void* memalign(std::size_t alignment, std::size_t size)
     {
         return fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
     }
