@@ -16,8 +16,8 @@ namespace frostfill
 {
 
 /// The picture in memory, with the legend over it. The pixels without it are kept beside it, so
-/// that text can change where nothing else does. Only what reads differently, or has something new
-/// behind it, is written again. A supersampled picture is written and made small as a whole.
+/// that text can change where nothing else does. It writes again only what reads differently, or
+/// has something new behind it. A supersampled picture is written and made small as a whole.
 class AnnotatedPicture
 {
 public:
@@ -45,7 +45,7 @@ private:
 
     void copy(const PixelRectangle& part);
     void mark(const PixelRectangle& part);
-    /// What the legend shows, its swatches first: text may lie over their background.
+    /// Returns what the legend shows, swatches first: text may lie over their background.
     [[nodiscard]] std::vector<Legend::Piece> pieces(const Snapshot& snapshot) const;
     [[nodiscard]] PixelRectangle bounds(const Legend::Piece& piece) const;
     void draw(const Legend::Piece& piece, Image& image);

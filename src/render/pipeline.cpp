@@ -126,7 +126,7 @@ void Pipeline::updateLayer(const Changes& changes, const PixelRectangle& polygon
         dirty_ = framebuffer_.whole();
         return;
     }
-    PixelRectangle covered = polygons; // the part of the layer that is drawn anew
+    PixelRectangle covered = polygons; // part of the layer that is drawn anew
     for (const std::size_t index : changes.spheres.recoloured)
     {
         covered = around(covered, layer_->visiblePart(index));

@@ -253,7 +253,7 @@ void enterPictures(const FillRequest& request, const FramePainter& painter, std:
     result.renderer = painter.drawn().renderer;
 }
 
-/// The frames of a run whose length is known, and tells the recorder, if there is one.
+/// Plans the frames of a run whose length is known. Tells the recorder, if there is one.
 FramePlan planFor(SimulatedRun& run, const Scene& scene, const LoadedMesh& mesh,
                   const std::optional<CameraPath>& path, FrameRecorder* recorder)
 {
@@ -375,8 +375,8 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     const std::optional<CameraPath> path = CameraPath::of(request.scene);
     const bool isNew = earlier != EarlierRun::keep;
     // Pictures that depend on the length of a run come after it, if it is short enough.
-    const bool hasFrames = lengthMatters(request.scene);
-    const bool isBefore = hasFrames && isItsOwnTrial(request.scene, simulation);
+    const bool showsTheWay = lengthMatters(request.scene);
+    const bool isBefore = showsTheWay && isItsOwnTrial(request.scene, simulation);
     std::optional<BegunRun> begun;
     if (isBefore || (isNew && isKept(request.scene)))
     {
@@ -418,7 +418,7 @@ FillResult fill(const FillRequest& asked, const FillObserver& observer)
     }
     else
     {
-        run.end = simulate(simulation, hasFrames ? recorder.get() : nullptr, request, observer);
+        run.end = simulate(simulation, showsTheWay ? recorder.get() : nullptr, request, observer);
         clock.end("simulating");
     }
     result.stopped = run.end == RunEnd::stopped;

@@ -119,7 +119,7 @@ public:
 private:
     void push(const PicturePlan::Picture& picture, const Snapshot& state);
 
-    // What the other thread does.
+    // The other thread calls these.
     void open();
     [[nodiscard]] double cameraAt(std::size_t clock) const;
     [[nodiscard]] bool leavesOut(const PicturePlan::Picture& picture, const PngText& text);

@@ -161,7 +161,7 @@ constexpr double kModelPaper = 1000;
 constexpr double kGrowthOfFalls = -0.7;
 constexpr double kGrowthOfSettling = 0.5;
 
-/// Returns the simulated seconds that a run takes. Nobody looks at its states.
+/// Returns the simulated seconds that a run takes. It looks at none of its states.
 double secondsOf(Simulation& simulation, const std::function<bool()>& stopRequested)
 {
     simulation.stopWhen(stopRequested);

@@ -176,7 +176,7 @@ struct SimulatedRun
 {
     RunEnd end = RunEnd::itself;
     RunLength length;
-    /// Where spheres appear, if the motion leaves out the falls.
+    /// Places where spheres appear, if the motion leaves out the falls.
     std::vector<Landing> landings;
 };
 

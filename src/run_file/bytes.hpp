@@ -58,7 +58,7 @@ public:
     {
         count((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
     }
-    // What ByteReader reads in the same words, as it does raw().
+    // ByteReader reads this in the same words, as it does raw().
     void passSize(std::uint64_t& size, std::uint64_t /*known*/) { count(size); }
     void pass(std::uint64_t& number, std::uint64_t /*largest*/) { count(number); }
     void pass(std::int64_t& number, std::int64_t before)

@@ -155,8 +155,9 @@ void Font::blend(Image& image, const Glyph& glyph, int x, int y, const Colour& c
         for (int column = std::max(0, -x); column < std::min(glyph.width, image.width - x);
              ++column)
         {
-            const int cover =
-                glyph.coverage[std::size_t(row) * std::size_t(glyph.width) + std::size_t(column)];
+            const int cover = glyph.coverage[static_cast<std::size_t>(row) *
+                                                 static_cast<std::size_t>(glyph.width) +
+                                             static_cast<std::size_t>(column)];
             std::uint8_t* pixel =
                 image.pixels.data() + (image.at(x + column, y + row) - image.at(0, 0));
             if (cover == 0)

@@ -108,7 +108,7 @@ protected:
 
     /// Looks at the object where it is in the snapshot.
     void follow(const Snapshot& snapshot);
-    /// What is different from the picture before.
+    /// Differences from the picture before.
     struct Changes
     {
         const SphereDrawList::Changes& spheres;

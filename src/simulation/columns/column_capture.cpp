@@ -72,7 +72,7 @@ const std::vector<double>& ContactCounts::update(bool once)
     return counts_;
 }
 
-// A sphere that is gone has left its place, too. Not all that is told has changed.
+// A sphere that is gone has left its place, too. The log tells of more than what has changed.
 void ContactCounts::goThroughChanges(std::vector<char>& isOld)
 {
     const Eigen::Vector3d nowhere = Eigen::Vector3d::Constant(std::nan(""));
@@ -94,9 +94,13 @@ void ContactCounts::goThroughChanges(std::vector<char>& isOld)
     places_.resize(count, nowhere);
     const auto look = [&](std::uint32_t id)
     {
-        const bool rests = id < count && !world_.spheres.isRunning(id);
-        const Eigen::Vector3d place = rests ? world_.spheres.position(id) : nowhere;
-        if (id < count && place != places_[id])
+        if (id >= count)
+        {
+            return;
+        }
+        const Eigen::Vector3d place =
+            world_.spheres.isRunning(id) ? nowhere : world_.spheres.position(id);
+        if (place != places_[id])
         {
             isOld[id] = 1;
             enterBeside(std::exchange(places_[id], place));

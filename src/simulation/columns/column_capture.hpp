@@ -15,15 +15,15 @@ namespace frostfill
 
 [[nodiscard]] SphereRecord recordOf(const World& world, std::size_t id);
 
-/// Contacts of all spheres at rest: see restingContacts(). They are counted anew beside spheres
-/// that have come to rest or woken since, so a state costs what has changed.
+/// Counts the contacts of all spheres at rest: see restingContacts(). It counts again beside
+/// spheres that have come to rest or woken since, so a state costs what has changed.
 class ContactCounts
 {
 public:
     explicit ContactCounts(const World& world) : world_(world) {}
 
-    /// [#spheres] As of now, by id. With `once` no places are kept if there are none yet: all are
-    /// counted again the next time.
+    /// [#spheres] Returns the counts as of now, by id. With `once` it keeps no places if there are
+    /// none yet: the next call counts all again.
     [[nodiscard]] const std::vector<double>& update(bool once);
 
 private:
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] std::vector<ColumnValues> all();
 
 private:
-    /// What is missing on spheres at rest, by their rows, and all that it depends on.
+    /// The unbalance of spheres at rest, by their rows, and all that it depends on.
     struct Unbalance
     {
         std::size_t changes = 0; ///< of spheres' states

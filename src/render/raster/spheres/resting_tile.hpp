@@ -148,7 +148,7 @@ private:
     std::vector<Listed> listed_;       ///< during repaint()
     std::vector<std::uint32_t> cells_; ///< of which spheres are not listed yet
     std::unique_ptr<TileBackground> ground_;
-    std::unique_ptr<SampleTile> samples_;      ///< null where nothing lies, or nothing is kept
+    std::unique_ptr<SampleTile> samples_;      ///< null if nothing lies here, or none are kept
     std::int64_t drawn_ = 0;                   ///< pixels since it was looked for what is hidden
     std::uint64_t touched_ = 0;                ///< blocks with such pixels, a bit each
     std::array<float, kAllBlocks> furthest_{}; ///< of a block's samples, when last looked at
