@@ -62,13 +62,17 @@ const std::vector<double>& ContactCounts::update(bool once)
         goThroughChanges(isOld);
     }
     counts_.resize(world_.spheres.size());
+    std::vector<std::uint32_t> old; // few in most frames: too few to wake other threads for them
+    for (std::uint32_t id = 0; id < counts_.size(); ++id)
+    {
+        if (isOld[id] != 0)
+        {
+            old.push_back(id);
+        }
+    }
     Threads threads(world_.scene.threads);
-    threads.forEach(counts_.size(),
-                    [&](std::size_t k)
-                    {
-                        const auto id = static_cast<std::uint32_t>(k);
-                        counts_[id] = isOld[id] != 0 ? restingContacts(world_, id) : counts_[id];
-                    });
+    threads.forEach(old.size(),
+                    [&](std::size_t k) { counts_[old[k]] = restingContacts(world_, old[k]); });
     return counts_;
 }
 
